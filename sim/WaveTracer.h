@@ -1,0 +1,59 @@
+#pragma once
+
+#include "sim/Execution.h"
+#include "sim/IncidentWave.h"
+#include "sim/LaunchLine.h"
+#include "sim/RayField.h"
+#include "sim/Seafloor.h"
+
+#include <optional>
+
+namespace swellray
+{
+
+enum class TraceScheme
+{
+  Ode,   ///< adaptive Dormand-Prince 5(4) integration of the ray equations
+  Snell, ///< Gonzato and Le Saec 1997: Snell's law across each step of fixed length
+};
+
+enum class InsertionRule
+{
+  None,        ///< no oversampling (Ts'o and Barsky 1987)
+  Retrace,     ///< trace the new ray afresh from the launch line: exact
+  Interpolate, ///< start it midway between its neighbours (Gonzato and Le Saec 1997)
+};
+
+struct TraceOptions
+{
+  double waterLevel = 0.0;           ///< m, positive up
+  std::optional<double> spacing;     ///< launch spacing along the incident crest, m, > 0
+  std::optional<double> maxSpacing;  ///< insertion threshold, m, > 0; 1.5 times the spacing
+  double stepsPerWave = 8.0;         ///< fronts a wavelength, > 0
+  std::optional<double> step;        ///< fronts of equal length instead of equal phase, m, > 0
+  TraceScheme scheme = TraceScheme::Ode;
+  double tolerance = 1e-8;           ///< relative, per step, > 0
+  InsertionRule insertion = InsertionRule::Retrace;
+  bool leeRays = true;               ///< model diffraction into the lee by inserted rays
+  double flatHeight = 0.0;           ///< height below which a ray is FLAT, m, >= 0
+  std::optional<double> agroundDepth;///< depth at which a ray is aground, m, > 0; 5 % of the incident height
+  EdgeRule edge = EdgeRule::Contours;
+  std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours
+  std::size_t maxRays = 200000;
+  std::size_t maxFronts = 100000;
+
+  /** @throws std::invalid_argument naming the option that is out of range */
+  void validate() const;
+};
+
+/**
+ * Dynamic wave tracing (Gonzato and Le Saec 1997) with Hamiltonian rays:
+ * all rays advance together from front to front.
+ *
+ * The result is ordered by ray and identical for any loop in `execution`.
+ * @throws std::invalid_argument bad wave or option; std::runtime_error where the wave comes in nowhere over water
+ */
+RayField traceWaves(
+  const Seafloor& seafloor, const IncidentWave& wave, const TraceOptions& options, const Execution& execution = {});
+
+}
