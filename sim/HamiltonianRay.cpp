@@ -1,0 +1,600 @@
+#include "sim/HamiltonianRay.h"
+
+#include "sim/Angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swellray
+{
+
+using namespace rayequations;
+
+namespace
+{
+
+// Dormand and Prince 1980, RK5(4)7M.
+constexpr double A21 = 1.0 / 5.0;
+constexpr double A31 = 3.0 / 40.0;
+constexpr double A32 = 9.0 / 40.0;
+constexpr double A41 = 44.0 / 45.0;
+constexpr double A42 = -56.0 / 15.0;
+constexpr double A43 = 32.0 / 9.0;
+constexpr double A51 = 19372.0 / 6561.0;
+constexpr double A52 = -25360.0 / 2187.0;
+constexpr double A53 = 64448.0 / 6561.0;
+constexpr double A54 = -212.0 / 729.0;
+constexpr double A61 = 9017.0 / 3168.0;
+constexpr double A62 = -355.0 / 33.0;
+constexpr double A63 = 46732.0 / 5247.0;
+constexpr double A64 = 49.0 / 176.0;
+constexpr double A65 = -5103.0 / 18656.0;
+constexpr double B1 = 35.0 / 384.0;
+constexpr double B3 = 500.0 / 1113.0;
+constexpr double B4 = 125.0 / 192.0;
+constexpr double B5 = -2187.0 / 6784.0;
+constexpr double B6 = 11.0 / 84.0;
+// Difference to the embedded formula of order 4.
+constexpr double E1 = 71.0 / 57600.0;
+constexpr double E3 = -71.0 / 16695.0;
+constexpr double E4 = 71.0 / 1920.0;
+constexpr double E5 = -17253.0 / 339200.0;
+constexpr double E6 = 22.0 / 525.0;
+constexpr double E7 = -1.0 / 40.0;
+// Dense output, Hairer, Norsett and Wanner 1993, II.6.
+constexpr double D1 = -12715105075.0 / 11282082432.0;
+constexpr double D3 = 87487479700.0 / 32700410799.0;
+constexpr double D4 = -10690763975.0 / 1880347072.0;
+constexpr double D5 = 701980252875.0 / 199316789632.0;
+constexpr double D6 = -1453857185.0 / 822651844.0;
+constexpr double D7 = 69997945.0 / 29380423.0;
+
+// Step size control (Hairer, Norsett and Wanner 1993, II.4).
+constexpr double Safety = 0.9;
+constexpr double ErrorExponent = 0.17;
+constexpr double MemoryExponent = 0.04;
+constexpr double SmallestFactor = 0.2;
+constexpr double LargestFactor = 5.0;
+
+// The tube is a derivative of the ray: it needs fewer digits for the same use.
+constexpr double TubeWeight = 0.1;
+
+// kh above which a wave does not feel the bottom: sech^2(kh) < 1e-8.
+constexpr double DeepWater = 10.0;
+
+// A step below this share of a wavelength makes no progress any more.
+constexpr double SmallestStep = 1e-9;
+
+constexpr int BisectionSteps = 60;
+
+}
+
+HamiltonianRay::HamiltonianRay(
+  const RayMedium& medium, const RayStart& start, double tolerance, std::size_t maxSteps)
+  : Medium(medium)
+  , Tolerance(tolerance)
+  , MaxSteps(maxSteps)
+  , DryDepth(0.25 * medium.agroundDepth)
+{
+  this->Begin = { start.position.x, start.position.y, start.wavenumber.x, start.wavenumber.y, start.dPosition.x,
+    start.dPosition.y, start.dWavenumber.x, start.dWavenumber.y, start.phase, start.length };
+  this->End = this->Begin;
+  this->BeginTime = start.travelTime;
+  this->Caustics = start.caustics;
+  this->Region = medium.seafloor->region(start.position);
+
+  Local local;
+  ++this->Evaluations;
+  if (!evaluate(medium, this->Region, this->DryDepth, this->Begin, this->BeginRate, local) ||
+    local.depth < medium.agroundDepth)
+  {
+    this->BeginDepth = medium.depth(start.position);
+    this->EndDepth = this->BeginDepth;
+    this->end(EndReason::Aground);
+    return;
+  }
+  if (medium.seafloor->isHole(start.position))
+  {
+    this->BeginDepth = this->EndDepth = local.depth;
+    this->end(EndReason::EnteredHole);
+    return;
+  }
+  this->BeginDepth = this->EndDepth = local.depth;
+  this->EndRate = this->BeginRate;
+  this->Negative = rayequations::tubeWidth(this->Begin) < 0.0;
+  const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
+  this->WidthScale = std::max(std::hypot(this->Begin[DX], this->Begin[DY]), 1e-12);
+  this->RateScale = std::max(std::hypot(this->Begin[DKx], this->Begin[DKy]), this->WidthScale * k * k / (2.0 * Pi));
+  // A quarter of a wavelength to begin with.
+  this->NextStep = 0.5 * Pi / (k * local.frequency.k);
+}
+
+bool HamiltonianRay::advance(FrontMeasure measure, double target, RayPoint& point)
+{
+  const std::size_t component = measure == FrontMeasure::Phase ? Phase : Length;
+  while (true)
+  {
+    const double reached = this->LastTheta == 1.0 ? this->End[component] : this->dense(this->LastTheta, component);
+    if (target <= reached)
+    {
+      const double theta = this->StepSize > 0.0 ? this->locateTarget(component, target) : 0.0;
+      this->describe(theta, point);
+      return true;
+    }
+    if (this->Terminal || this->Ended)
+    {
+      this->Ended = true;
+      this->describe(this->LastTheta, point);
+      return false;
+    }
+    if (!this->step())
+    {
+      this->describe(this->LastTheta, point);
+      return false;
+    }
+  }
+}
+
+void HamiltonianRay::end(EndReason reason)
+{
+  this->Reason = reason;
+  this->Ended = true;
+}
+
+bool HamiltonianRay::tryStep(double h, Trial& trial)
+{
+  const State& y = this->Begin;
+  const State& k1 = this->BeginRate;
+  State& k2 = this->Stage[0];
+  State& k3 = this->Stage[1];
+  State& k4 = this->Stage[2];
+  State& k5 = this->Stage[3];
+  State& k6 = this->Stage[4];
+  State s;
+  const auto rates = [&](State& rate) {
+    ++this->Evaluations;
+    return evaluate(this->Medium, this->Region, this->DryDepth, s, rate, trial.local);
+  };
+
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    s[i] = y[i] + h * A21 * k1[i];
+  }
+  if (!rates(k2))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    s[i] = y[i] + h * (A31 * k1[i] + A32 * k2[i]);
+  }
+  if (!rates(k3))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    s[i] = y[i] + h * (A41 * k1[i] + A42 * k2[i] + A43 * k3[i]);
+  }
+  if (!rates(k4))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    s[i] = y[i] + h * (A51 * k1[i] + A52 * k2[i] + A53 * k3[i] + A54 * k4[i]);
+  }
+  if (!rates(k5))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    s[i] = y[i] + h * (A61 * k1[i] + A62 * k2[i] + A63 * k3[i] + A64 * k4[i] + A65 * k5[i]);
+  }
+  if (!rates(k6))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    s[i] = y[i] + h * (B1 * k1[i] + B3 * k3[i] + B4 * k4[i] + B5 * k5[i] + B6 * k6[i]);
+  }
+  if (!rates(trial.lastRate))
+  {
+    return false;
+  }
+  trial.end = s;
+  State error;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    error[i] =
+      h * (E1 * k1[i] + E3 * k3[i] + E4 * k4[i] + E5 * k5[i] + E6 * k6[i] + E7 * trial.lastRate[i]);
+  }
+  trial.error = this->errorNorm(error, s) / this->Tolerance;
+  return true;
+}
+
+double HamiltonianRay::errorNorm(const State& error, const State& end) const
+{
+  const double k2 = end[Kx] * end[Kx] + end[Ky] * end[Ky];
+  const double position = (error[X] * error[X] + error[Y] * error[Y]) * k2 / (4.0 * Pi * Pi);
+  const double wavenumber = (error[Kx] * error[Kx] + error[Ky] * error[Ky]) / k2;
+  const double phase = error[Phase] * error[Phase] / (4.0 * Pi * Pi);
+  const double width = (error[DX] * error[DX] + error[DY] * error[DY]) / (this->WidthScale * this->WidthScale);
+  const double rate = (error[DKx] * error[DKx] + error[DKy] * error[DKy]) / (this->RateScale * this->RateScale);
+  const double ray = std::max({ position, wavenumber, phase });
+  const double tube = TubeWeight * TubeWeight * std::max(width, rate);
+  return std::sqrt(std::max(ray, tube));
+}
+
+double HamiltonianRay::longestStep() const
+{
+  const double speed = this->BeginRate[Length];
+  const double feature = this->Medium.seafloor->featureLength();
+  const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
+  if (k * this->BeginDepth > DeepWater)
+  {
+    // Where nothing within reach is felt by the wave, steps may be as long as that reach.
+    const double reach = 32.0 * feature;
+    const glm::dvec2 here(this->Begin[X], this->Begin[Y]);
+    const double highest = this->Medium.seafloor->highestElevation({ here - reach, here + reach });
+    if (k * (this->Medium.waterLevel - highest) > DeepWater)
+    {
+      return reach / speed;
+    }
+  }
+  return feature / speed;
+}
+
+bool HamiltonianRay::step()
+{
+  if (this->StepSize > 0.0)
+  {
+    // Leave the finished step behind.
+    this->countCaustics(0.0, this->LastTheta, this->Caustics, this->Negative);
+    this->Begin = this->End;
+    this->BeginRate = this->EndRate;
+    this->BeginTime += this->StepSize;
+    this->BeginDepth = this->EndDepth;
+    this->StepSize = 0.0;
+    this->LastTheta = 0.0;
+    this->ReadTheta = 0.0;
+    if (this->KinkAhead >= 0)
+    {
+      this->crossKink(static_cast<unsigned>(this->KinkAhead));
+      this->KinkAhead = -1;
+    }
+  }
+  if (this->Steps >= this->MaxSteps)
+  {
+    this->end(EndReason::StepCap);
+    return false;
+  }
+
+  const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
+  const double smallest = SmallestStep * 2.0 * Pi / (k * this->BeginRate[Length]);
+  double h = std::min(this->NextStep, this->longestStep());
+  Trial trial;
+  bool toKink = false;
+  while (true)
+  {
+    if (h < smallest)
+    {
+      // The step shrinks to nothing only in front of a wall of land.
+      this->StepSize = 0.0;
+      this->LastTheta = 0.0;
+      this->End = this->Begin;
+      this->end(EndReason::Aground);
+      return false;
+    }
+    const bool wet = this->tryStep(h, trial);
+    if (!wet || !(trial.error <= 1.0))
+    {
+      h *= wet && std::isfinite(trial.error) ? std::max(SmallestFactor, Safety * std::pow(trial.error, -0.2)) : 0.5;
+      toKink = false;
+      this->KinkAhead = -1;
+      continue;
+    }
+    this->StepSize = h;
+    this->prepareDense(h, trial.end, trial.lastRate);
+    this->End = trial.end;
+    this->LastTheta = 1.0;
+    if (toKink)
+    {
+      break;
+    }
+    const Event event = this->findEvent();
+    if (event.kind == Happening::Kink)
+    {
+      // Make the step again so that it ends on the kink.
+      this->KinkAhead = static_cast<int>(event.kink);
+      h *= event.theta;
+      toKink = true;
+      if (h < smallest)
+      {
+        this->StepSize = 0.0;
+        this->End = this->Begin;
+        this->LastTheta = 0.0;
+        this->crossKink(event.kink);
+        this->KinkAhead = -1;
+        h = smallest * 4.0;
+        toKink = false;
+      }
+      continue;
+    }
+    if (event.kind == Happening::End)
+    {
+      this->LastTheta = event.theta;
+      this->Terminal = true;
+      this->Reason = event.reason;
+    }
+    break;
+  }
+
+  const double error = std::max(trial.error, 1e-10);
+  const double factor = Safety * std::pow(error, -ErrorExponent) * std::pow(this->LastError, MemoryExponent);
+  const double next = h * std::clamp(factor, SmallestFactor, LargestFactor);
+  // A step cut short by a kink says nothing about the size of the next one.
+  this->NextStep = toKink ? std::max(next, this->NextStep) : next;
+  this->LastError = std::max(error, 1e-4);
+  this->EndRate = trial.lastRate;
+  this->EndDepth = trial.local.depth;
+  this->WidthScale = std::max(this->WidthScale, std::hypot(trial.end[DX], trial.end[DY]));
+  this->RateScale = std::max(this->RateScale, std::hypot(trial.end[DKx], trial.end[DKy]));
+  const Frequency& f = trial.local.frequency;
+  const double drift = (f.sigma / this->Medium.angularFrequency - 1.0) * f.sigma /
+    (std::hypot(trial.end[Kx], trial.end[Ky]) * f.k);
+  this->DispersionError = std::max(this->DispersionError, std::abs(drift));
+  ++this->Steps;
+  return true;
+}
+
+void HamiltonianRay::crossKink(unsigned kink)
+{
+  const glm::dvec2 position(this->Begin[X], this->Begin[Y]);
+  glm::dvec2 normal;
+  this->Medium.seafloor->kinkLevel(kink, position, normal);
+  this->Region ^= 1u << kink;
+  const State before = this->BeginRate;
+  Local local;
+  ++this->Evaluations;
+  if (!evaluate(this->Medium, this->Region, this->DryDepth, this->Begin, this->BeginRate, local))
+  {
+    // Only a form that is not continuous across its own kink comes here.
+    this->end(EndReason::Aground);
+    return;
+  }
+  const double approach = normal.x * before[X] + normal.y * before[Y];
+  const double offset = normal.x * this->Begin[DX] + normal.y * this->Begin[DY];
+  const double size = std::hypot(normal.x, normal.y) * before[Length];
+  if (std::abs(approach) > 1e-9 * size)
+  {
+    const double share = offset / approach;
+    for (const std::size_t i : { DX, DY })
+    {
+      this->Begin[i] += (before[i - DX + X] - this->BeginRate[i - DX + X]) * share;
+    }
+    for (const std::size_t i : { DKx, DKy })
+    {
+      this->Begin[i] += (before[i - DKx + Kx] - this->BeginRate[i - DKx + Kx]) * share;
+    }
+    evaluate(this->Medium, this->Region, this->DryDepth, this->Begin, this->BeginRate, local);
+    this->RateScale = std::max(this->RateScale, std::hypot(this->Begin[DKx], this->Begin[DKy]));
+  }
+}
+
+void HamiltonianRay::prepareDense(double h, const State& end, const State& lastRate)
+{
+  const State& k1 = this->BeginRate;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    const double difference = end[i] - this->Begin[i];
+    const double slope = h * k1[i] - difference;
+    this->Dense[0][i] = difference;
+    this->Dense[1][i] = slope;
+    this->Dense[2][i] = difference - h * lastRate[i] - slope;
+    this->Dense[3][i] = h *
+      (D1 * k1[i] + D3 * this->Stage[1][i] + D4 * this->Stage[2][i] + D5 * this->Stage[3][i] +
+        D6 * this->Stage[4][i] + D7 * lastRate[i]);
+  }
+}
+
+double HamiltonianRay::dense(double theta, std::size_t i) const
+{
+  const double rest = 1.0 - theta;
+  return this->Begin[i] +
+    theta * (this->Dense[0][i] + rest * (this->Dense[1][i] + theta * (this->Dense[2][i] + rest * this->Dense[3][i])));
+}
+
+HamiltonianRay::State HamiltonianRay::dense(double theta) const
+{
+  State y;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    y[i] = this->dense(theta, i);
+  }
+  return y;
+}
+
+glm::dvec2 HamiltonianRay::densePosition(double theta) const
+{
+  return { this->dense(theta, X), this->dense(theta, Y) };
+}
+
+template <typename Sign>
+double HamiltonianRay::locate(double low, double high, const Sign& outside) const
+{
+  for (int i = 0; i < BisectionSteps && high - low > 1e-15; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (outside(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+double HamiltonianRay::locateTarget(std::size_t component, double target) const
+{
+  // Newton on the dense polynomial, kept in its bracket; phase and length grow along a ray.
+  double low = this->ReadTheta;
+  double high = this->LastTheta;
+  double theta = low + (high - low) * 0.5;
+  const double begin = this->dense(low, component);
+  const double total = this->dense(high, component) - begin;
+  if (total > 0.0)
+  {
+    theta = low + (high - low) * std::clamp((target - begin) / total, 0.0, 1.0);
+  }
+  for (int i = 0; i < BisectionSteps; ++i)
+  {
+    const double miss = this->dense(theta, component) - target;
+    (miss > 0.0 ? high : low) = theta;
+    const double d0 = this->Dense[0][component];
+    const double d1 = this->Dense[1][component];
+    const double d2 = this->Dense[2][component];
+    const double d3 = this->Dense[3][component];
+    const double rest = 1.0 - theta;
+    const double slope = d0 + d1 * (1.0 - 2.0 * theta) + d2 * theta * (2.0 - 3.0 * theta) +
+      d3 * 2.0 * theta * rest * (1.0 - 2.0 * theta);
+    const double newton = theta - miss / slope;
+    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
+    if (std::abs(next - theta) < 1e-15)
+    {
+      return next;
+    }
+    theta = next;
+  }
+  return theta;
+}
+
+HamiltonianRay::Event HamiltonianRay::findEvent() const
+{
+  Event event;
+  const Seafloor& seafloor = *this->Medium.seafloor;
+
+  const Rectangle box = seafloor.bounds();
+  const auto outside = [&](double theta) { return !box.contains(this->densePosition(theta)); };
+  if (outside(1.0))
+  {
+    event.kind = Happening::End;
+    event.reason = EndReason::LeftScene;
+    event.theta = this->locate(0.0, 1.0, outside);
+  }
+
+  for (unsigned i = 0; i < seafloor.kinkCount(); ++i)
+  {
+    const bool side = (this->Region >> i & 1u) != 0;
+    glm::dvec2 normal;
+    const auto crossed = [&](double theta) {
+      return (seafloor.kinkLevel(i, this->densePosition(theta), normal) > 0.0) != side;
+    };
+    // A ray may clip a curve: look at inner points too.
+    double before = 0.0;
+    for (const double theta : { 0.25, 0.5, 0.75, 1.0 })
+    {
+      if (before >= event.theta)
+      {
+        break;
+      }
+      if (crossed(theta))
+      {
+        const double at = this->locate(before, theta, crossed);
+        if (at < event.theta || event.kind == Happening::None)
+        {
+          event.kind = Happening::Kink;
+          event.theta = at;
+          event.kink = i;
+        }
+        break;
+      }
+      before = theta;
+    }
+  }
+
+  this->findLandOrHole(event);
+  return event;
+}
+
+void HamiltonianRay::findLandOrHole(Event& event) const
+{
+  const Seafloor& seafloor = *this->Medium.seafloor;
+  const glm::dvec2 from(this->Begin[X], this->Begin[Y]);
+  const glm::dvec2 to(this->End[X], this->End[Y]);
+  const double margin = 0.1 * (this->End[Length] - this->Begin[Length]);
+  const Rectangle box{ glm::dvec2(std::min(from.x, to.x), std::min(from.y, to.y)) - margin,
+    glm::dvec2(std::max(from.x, to.x), std::max(from.y, to.y)) + margin };
+  const bool land = this->Medium.waterLevel - seafloor.highestElevation(box) < this->Medium.agroundDepth;
+  const bool holes = seafloor.hasHoles();
+  if (!land && !holes)
+  {
+    return;
+  }
+
+  BedSample bed;
+  const auto aground = [&](double theta) {
+    seafloor.evaluate(this->densePosition(theta), this->Region, bed);
+    return this->Medium.waterLevel - bed.elevation < this->Medium.agroundDepth;
+  };
+  const auto inHole = [&](double theta) { return seafloor.isHole(this->densePosition(theta)); };
+  const double length = this->End[Length] - this->Begin[Length];
+  const int parts = std::max(1, static_cast<int>(std::ceil(length / seafloor.resolution())));
+  double before = 0.0;
+  for (int i = 1; i <= parts; ++i)
+  {
+    const double theta = std::min(static_cast<double>(i) / parts, event.theta);
+    const bool hitLand = land && aground(theta);
+    const bool hitHole = holes && inHole(theta);
+    if (hitLand || hitHole)
+    {
+      event.kind = Happening::End;
+      const double landAt = hitLand ? this->locate(before, theta, aground) : 2.0;
+      const double holeAt = hitHole ? this->locate(before, theta, inHole) : 2.0;
+      event.reason = landAt < holeAt ? EndReason::Aground : EndReason::EnteredHole;
+      event.theta = std::min(landAt, holeAt);
+      return;
+    }
+    if (theta >= event.theta)
+    {
+      return;
+    }
+    before = theta;
+  }
+}
+
+void HamiltonianRay::countCaustics(double from, double to, int& caustics, bool& negative) const
+{
+  // Twice within a third of a step would need a lens far smaller than the steps resolve.
+  for (const double theta : { from + (to - from) / 3.0, from + (to - from) * 2.0 / 3.0, to })
+  {
+    const double width = this->dense(theta, Kx) * this->dense(theta, DY) - this->dense(theta, Ky) * this->dense(theta, DX);
+    if (width != 0.0 && (width < 0.0) != negative)
+    {
+      negative = !negative;
+      ++caustics;
+    }
+  }
+}
+
+void HamiltonianRay::describe(double theta, RayPoint& point)
+{
+  this->ReadTheta = theta;
+  const State y = this->StepSize > 0.0 ? this->dense(theta) : this->Begin;
+  point.position = { y[X], y[Y] };
+  point.wavenumber = { y[Kx], y[Ky] };
+  point.rayDirection = point.wavenumber / std::hypot(y[Kx], y[Ky]);
+  BedSample bed;
+  this->Medium.seafloor->evaluate(point.position, this->Region, bed);
+  point.depth = this->Medium.waterLevel - bed.elevation;
+  point.phase = y[Phase];
+  point.travelTime = this->BeginTime + theta * this->StepSize;
+  point.tubeWidth = rayequations::tubeWidth(y);
+  point.caustics = this->Caustics;
+  if (this->StepSize > 0.0)
+  {
+    bool negative = this->Negative;
+    this->countCaustics(0.0, theta, point.caustics, negative);
+  }
+  this->ReadLength = y[Length];
+}
+
+}

@@ -1,0 +1,113 @@
+#pragma once
+
+#include "sim/RayEquations.h"
+#include "sim/RayPath.h"
+
+namespace swellray
+{
+
+/**
+ * A ray integrated with Dormand and Prince's 5(4) pair (1980) in time, steps adapted to a relative tolerance,
+ * read anywhere from the dense output of order 4 (Hairer, Norsett and Wanner 1993, II.6). Along with
+ * the ray go its tube and the number of caustics passed.
+ *
+ * A step ends exactly on a kink curve of the seafloor, where the gradient of the bed and with it the rate of the
+ * tube jumps: with f the rates and nu the gradient of the kink's level,
+ *   dk+ = dk- + (f+ - f-) (nu.dx) / (nu.dx/dt).
+ *
+ * Errors of a step are measured in wavelengths (position), relative to |k| (wavenumber), in 2 pi
+ * (phase) and relative to the largest value so far (tube).
+ */
+class HamiltonianRay final : public RayPath
+{
+public:
+  /**
+   * @param tolerance relative, per step, > 0
+   * @param maxSteps accepted steps after which the ray ends with EndReason::StepCap
+   */
+  HamiltonianRay(const RayMedium& medium, const RayStart& start, double tolerance, std::size_t maxSteps = 1000000);
+
+  bool advance(FrontMeasure measure, double target, RayPoint& point) override;
+
+  std::size_t steps() const { return this->Steps; }
+
+private:
+  using State = rayequations::State;
+
+  struct Trial
+  {
+    State end;
+    State lastRate;
+    rayequations::Local local;
+    double error = 0.0;
+  };
+
+  enum class Happening
+  {
+    None,
+    Kink,
+    End
+  };
+
+  /** First thing that happens within the step just made. */
+  struct Event
+  {
+    Happening kind = Happening::None;
+    double theta = 1.0;
+    EndReason reason = EndReason::LeftScene;
+    unsigned kink = 0;
+  };
+
+  bool tryStep(double h, Trial& trial);
+  double errorNorm(const State& error, const State& end) const;
+  bool step();
+  double longestStep() const;
+  Event findEvent() const;
+  void findLandOrHole(Event& event) const;
+  void crossKink(unsigned kink);
+  void prepareDense(double h, const State& end, const State& lastRate);
+  State dense(double theta) const;
+  double dense(double theta, std::size_t component) const;
+  glm::dvec2 densePosition(double theta) const;
+  template <typename Sign>
+  double locate(double low, double high, const Sign& outside) const;
+  double locateTarget(std::size_t component, double target) const;
+  void countCaustics(double from, double to, int& caustics, bool& negative) const;
+  void describe(double theta, RayPoint& point);
+  void end(EndReason reason);
+
+  RayMedium Medium;
+  double Tolerance;
+  std::size_t MaxSteps;
+  std::size_t Steps = 0;
+  double DryDepth;
+  unsigned Region = 0;
+
+  // Start of the current step and what is known there.
+  State Begin{};
+  State BeginRate{};
+  double BeginTime = 0.0;
+  double BeginDepth = 0.0;
+  int Caustics = 0;
+  bool Negative = false;
+
+  // The current step: made when StepSize > 0, valid to LastTheta.
+  double StepSize = 0.0;
+  double LastTheta = 0.0;
+  double ReadTheta = 0.0;
+  State End{};
+  State EndRate{};
+  double EndDepth = 0.0;
+  bool Terminal = false;
+  int KinkAhead = -1;
+  std::array<State, 4> Dense{};
+  State Stage[5]; // rates at the inner stages 2 to 6
+
+  // Control of the step size.
+  double NextStep = 0.0;
+  double LastError = 1e-4;
+  double WidthScale = 1.0;
+  double RateScale = 0.0;
+};
+
+}

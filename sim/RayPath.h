@@ -1,0 +1,76 @@
+#pragma once
+
+#include "sim/RayField.h"
+#include "sim/Seafloor.h"
+
+namespace swellray
+{
+
+/** What a ray travels through. */
+struct RayMedium
+{
+  const Seafloor* seafloor = nullptr;
+  double waterLevel = 0.0;   ///< m, positive up
+  double gravity = 9.81;     ///< m/s2
+  double angularFrequency = 0.0; ///< rad/s
+  double agroundDepth = 0.1; ///< a ray ends where it gets shallower than this, m, > 0
+
+  double depth(const glm::dvec2& p) const { return waterLevel - seafloor->elevation(p); }
+};
+
+/** Initial state of a ray. The derivatives by the launch parameter lambda describe the ray tube. */
+struct RayStart
+{
+  glm::dvec2 position{ 0.0 };    ///< m
+  glm::dvec2 wavenumber{ 0.0 };  ///< rad/m
+  glm::dvec2 dPosition{ 0.0 };   ///< d position / d lambda, -
+  glm::dvec2 dWavenumber{ 0.0 }; ///< d wavenumber / d lambda, rad/m2
+  double phase = 0.0;            ///< rad
+  double travelTime = 0.0;       ///< s
+  double length = 0.0;           ///< m travelled
+  int caustics = 0;              ///< passed before
+};
+
+/** Quantity in which fronts are equally spaced. */
+enum class FrontMeasure
+{
+  Phase,  ///< rad: fronts are crests
+  Length, ///< m travelled
+};
+
+/**
+ * One ray on its way: advances from front to front and says what ended it.
+ *
+ * A path is used by one thread at a time. No step allocates memory.
+ */
+class RayPath
+{
+public:
+  virtual ~RayPath() = default;
+
+  /**
+   * Go on to where the measure reaches the target, or to the ray's end, and describe that place. Targets
+   * must not decrease. The spacing width, front and state of `point` are left alone.
+   * @return true when the target was reached, false when the ray ended before
+   */
+  virtual bool advance(FrontMeasure measure, double target, RayPoint& point) = 0;
+
+  bool ended() const { return this->Ended; }
+  /** What ended the ray; only meaningful once ended(). */
+  EndReason endReason() const { return this->Reason; }
+  /** Metres travelled at the point last described. */
+  double length() const { return this->ReadLength; }
+  /** Largest ||k|/k(h) - 1| seen. */
+  double dispersionError() const { return this->DispersionError; }
+  /** Evaluations of the ray equations so far. */
+  std::size_t evaluations() const { return this->Evaluations; }
+
+protected:
+  bool Ended = false;
+  EndReason Reason = EndReason::StepCap;
+  double ReadLength = 0.0;
+  double DispersionError = 0.0;
+  std::size_t Evaluations = 0;
+};
+
+}
