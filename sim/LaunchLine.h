@@ -35,23 +35,22 @@ struct LaunchPoint
  *
  * in metres along the incident crest (t: ray direction at the edge, n_edge: edge normal, theta0 and theta:
  * angle to the contours' normal offshore and at the edge). Phase is integrated along the edges, 0 where
- * the wave first meets the scene.
+ * the wave first meets the scene. The edges are walked clockwise, so that lambda grows to the left of the rays.
+ *
+ * With EdgeRule::Contours the wavenumber along the contours is kept, K = k0 (t0.tau), and the rest follows from
+ * k(h): exact on any straight beach, at its side edges too. Nothing comes in where k < |K| or where the wave
+ * runs along the contours.
+ *
+ * The seafloor must outlive the line.
  */
 class LaunchLine
 {
 public:
-  /** A stretch of one edge over water without a gap, in the order of the perimeter. */
-  struct Segment
-  {
-    double firstLambda = 0.0; ///< m
-    double lastLambda = 0.0;  ///< m
-    int piece = 0;            ///< segments of one piece follow each other without a gap
-  };
-
   /**
    * @param aground depth below which the edge counts as land, m, > 0
-   * @param shoreNormal nautical degrees the seaward normal of the contours points to, for EdgeRule::Contours;
-   *   none: of the plane fitted to the wet depths, and no refraction where that plane's slope is below 1e-4
+   * @param shoreNormal nautical degrees that the seaward normal of the contours points to, for
+   *   EdgeRule::Contours; none: of the plane fitted to the wet depths, and the direction as given where that
+   *   plane's slope is below 1e-4
    * @throws std::invalid_argument on a bad wave or depth
    */
   LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground, EdgeRule rule,
@@ -63,12 +62,53 @@ public:
   /** Start of the ray with this parameter, 0 <= lambda <= length(). */
   LaunchPoint at(double lambda) const;
 
-  const std::vector<Segment>& segments() const { return this->Segments; }
+  /** Unit normal of the contours, towards the shore; nothing where the direction is taken as given. */
+  const std::optional<glm::dvec2>& contourNormal() const { return this->ContourNormal; }
 
 private:
-  struct Node;
-  struct Edge;
-  std::vector<Segment> Segments;
+  /** One side of the scene, walked clockwise: the inside lies to the right. */
+  struct Side
+  {
+    glm::dvec2 corner{ 0.0 };
+    glm::dvec2 along{ 0.0 };
+    glm::dvec2 inward{ 0.0 };
+    double length = 0.0;
+  };
+
+  /** A short stretch of a side through which the wave comes in over water everywhere, or nowhere. */
+  struct Stretch
+  {
+    int side = 0;
+    int segment = 0;
+    double from = 0.0;   ///< m along the side
+    double to = 0.0;
+    double lambda = 0.0; ///< at from, m
+    double phase = 0.0;  ///< at from, rad
+    double width = 0.0;  ///< of lambda over the stretch, m
+  };
+
+  /** The wave at a place on a side. */
+  struct EdgeWave
+  {
+    glm::dvec2 wavenumber{ 0.0 };
+    glm::dvec2 dWavenumber{ 0.0 }; ///< along the side, rad/m2
+    double density = 0.0;          ///< d lambda / dl; 0 where the wave does not come in
+    bool enters = false;
+  };
+
+  EdgeWave edgeWave(const Side& side, double l) const;
+  glm::dvec2 integrate(const Side& side, double from, double to) const;
+  void walk(const Side& side, int index, bool& open, int& segment);
+  void append(int index, int segment, double from, double to);
+
+  const Seafloor* Floor;
+  double WaterLevel;
+  IncidentWave Wave;
+  double Aground;
+  EdgeRule Rule;
+  std::optional<glm::dvec2> ContourNormal;
+  std::vector<Side> Sides;
+  std::vector<Stretch> Stretches;
   double Length = 0.0;
 };
 

@@ -1,0 +1,286 @@
+#include "sim/LaunchLine.h"
+
+#include "sim/Angles.h"
+#include "sim/Dispersion.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Slope of the fitted plane below which a scene has no shore normal.
+constexpr double SmallestSlope = 1e-4;
+
+// A wave that comes in more nearly along an edge, or along the contours, than this does not come in.
+constexpr double Grazing = 1e-6;
+
+constexpr std::size_t FewestParts = 400;
+constexpr std::size_t MostParts = 4000;
+
+// Gauss-Legendre nodes and weights on [-1, 1], 5 points (Abramowitz and Stegun 1964, table 25.4).
+constexpr std::array<double, 5> GaussNode{ -0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
+  0.9061798459386640 };
+constexpr std::array<double, 5> GaussWeight{ 0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+  0.4786286704993665, 0.2369268850561891 };
+
+glm::dvec2 leftOf(const glm::dvec2& v)
+{
+  return { -v.y, v.x };
+}
+
+}
+
+LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
+  EdgeRule rule, std::optional<double> shoreNormal)
+  : Floor(&seafloor)
+  , WaterLevel(waterLevel)
+  , Wave(wave)
+  , Aground(aground)
+  , Rule(rule)
+{
+  wave.validate();
+  if (!(aground > 0.0))
+  {
+    throw std::invalid_argument("aground depth must be above 0 m");
+  }
+  if (rule == EdgeRule::Contours)
+  {
+    if (shoreNormal)
+    {
+      const double heading = headingFromNautical(*shoreNormal);
+      this->ContourNormal = glm::dvec2(std::cos(heading), std::sin(heading));
+    }
+    else
+    {
+      const BedPlane plane = fitWetPlane(seafloor, waterLevel);
+      const double slope = glm::length(plane.slope);
+      if (plane.valid && slope >= SmallestSlope)
+      {
+        this->ContourNormal = plane.slope / slope;
+      }
+    }
+  }
+
+  const Rectangle box = seafloor.bounds();
+  const std::array<glm::dvec2, 4> corners{ box.low, glm::dvec2(box.low.x, box.high.y), box.high,
+    glm::dvec2(box.high.x, box.low.y) };
+  // Begin at the corner that the wave leaves the scene by, so that the edges it comes in by follow each other.
+  const glm::dvec2 t0 = wave.direction();
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < 4; ++i)
+  {
+    if (glm::dot(corners[i] - corners[first], t0) > 0.0)
+    {
+      first = i;
+    }
+  }
+  bool open = false;
+  int segment = -1;
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const glm::dvec2 from = corners[(first + i) % 4];
+    const glm::dvec2 to = corners[(first + i + 1) % 4];
+    Side side;
+    side.corner = from;
+    side.length = glm::length(to - from);
+    side.along = (to - from) / side.length;
+    side.inward = -leftOf(side.along);
+    this->Sides.push_back(side);
+    this->walk(side, static_cast<int>(i), open, segment);
+  }
+
+  double earliest = 0.0;
+  bool any = false;
+  for (const Stretch& stretch : this->Stretches)
+  {
+    if (stretch.width > 0.0)
+    {
+      const Side& side = this->Sides[stretch.side];
+      const double end = stretch.phase + this->integrate(side, stretch.from, stretch.to).y;
+      const double least = std::min(stretch.phase, end);
+      earliest = any ? std::min(earliest, least) : least;
+      any = true;
+    }
+  }
+  for (Stretch& stretch : this->Stretches)
+  {
+    stretch.phase -= earliest;
+  }
+  this->Stretches.erase(
+    std::remove_if(this->Stretches.begin(), this->Stretches.end(), [](const Stretch& s) { return !(s.width > 0.0); }),
+    this->Stretches.end());
+}
+
+LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
+{
+  const glm::dvec2 p = side.corner + l * side.along;
+  const BedSample bed = this->Floor->bed(p);
+  const double trueDepth = this->WaterLevel - bed.elevation;
+  const bool water = trueDepth >= this->Aground && !this->Floor->isHole(p);
+  const double depth = std::max(trueDepth, this->Aground);
+  const double gravity = this->Wave.gravity;
+  const double k = solveWavenumber(this->Wave.angularFrequency(), depth, gravity);
+  Frequency f;
+  evaluateFrequency(k, depth, gravity, f);
+  const double kAlong = water ? f.h / f.k * glm::dot(bed.gradient, side.along) : 0.0; // dk/dl = -(sigma_h/sigma_k) dh/dl
+
+  const glm::dvec2 t0 = this->Wave.direction();
+  EdgeWave wave;
+  std::optional<glm::dvec2> normal = this->ContourNormal;
+  if (this->Rule == EdgeRule::Edge)
+  {
+    normal = side.inward;
+  }
+  double crestRatio = 1.0;
+  if (normal)
+  {
+    const glm::dvec2 tangent = leftOf(*normal);
+    const double k0 = this->Wave.wavenumber();
+    const double cosine0 = glm::dot(t0, *normal);
+    const double kTangent = k0 * glm::dot(t0, tangent);
+    const double square = k * k - kTangent * kTangent;
+    if (std::abs(cosine0) < Grazing || square < Grazing * Grazing * k * k ||
+      (this->Rule == EdgeRule::Edge && cosine0 < 0.0))
+    {
+      return wave;
+    }
+    const double kNormal = std::copysign(std::sqrt(square), cosine0);
+    wave.wavenumber = kTangent * tangent + kNormal * *normal;
+    wave.dWavenumber = *normal * (k * kAlong / kNormal);
+    crestRatio = cosine0 * k / kNormal;
+  }
+  else
+  {
+    wave.wavenumber = k * t0;
+    wave.dWavenumber = kAlong * t0;
+  }
+  const double inward = glm::dot(wave.wavenumber, side.inward) / k;
+  wave.enters = water && inward > Grazing;
+  wave.density = wave.enters ? inward * crestRatio : 0.0;
+  return wave;
+}
+
+glm::dvec2 LaunchLine::integrate(const Side& side, double from, double to) const
+{
+  const double half = 0.5 * (to - from);
+  const double middle = 0.5 * (to + from);
+  glm::dvec2 sum(0.0);
+  for (std::size_t i = 0; i < GaussNode.size(); ++i)
+  {
+    const EdgeWave wave = this->edgeWave(side, middle + half * GaussNode[i]);
+    sum += GaussWeight[i] * glm::dvec2(wave.density, glm::dot(wave.wavenumber, side.along));
+  }
+  return sum * half;
+}
+
+void LaunchLine::append(int index, int segment, double from, double to)
+{
+  Stretch stretch;
+  stretch.side = index;
+  stretch.segment = segment;
+  stretch.from = from;
+  stretch.to = to;
+  if (!this->Stretches.empty())
+  {
+    const Stretch& last = this->Stretches.back();
+    stretch.phase = last.phase + this->integrate(this->Sides[last.side], last.from, last.to).y;
+  }
+  stretch.lambda = this->Length;
+  if (segment >= 0)
+  {
+    stretch.width = this->integrate(this->Sides[index], from, to).x;
+    this->Length += stretch.width;
+  }
+  this->Stretches.push_back(stretch);
+}
+
+void LaunchLine::walk(const Side& side, int index, bool& open, int& segment)
+{
+  const double wanted = side.length / this->Floor->resolution();
+  const auto parts = static_cast<std::size_t>(
+    std::clamp(wanted, static_cast<double>(FewestParts), static_cast<double>(MostParts)));
+  double from = 0.0;
+  bool entersFrom = this->edgeWave(side, 0.0).enters;
+  for (std::size_t i = 1; i <= parts; ++i)
+  {
+    const double to = side.length * static_cast<double>(i) / static_cast<double>(parts);
+    const bool entersTo = this->edgeWave(side, to).enters;
+    std::array<double, 3> ends{ from, to, to };
+    std::size_t pieces = 1;
+    if (entersTo != entersFrom)
+    {
+      double low = from;
+      double high = to;
+      for (int halving = 0; halving < 60; ++halving)
+      {
+        const double middle = 0.5 * (low + high);
+        (this->edgeWave(side, middle).enters == entersFrom ? low : high) = middle;
+      }
+      ends = { from, 0.5 * (low + high), to };
+      pieces = 2;
+    }
+    for (std::size_t piece = 0; piece < pieces; ++piece)
+    {
+      const bool enters = piece == 0 ? entersFrom : entersTo;
+      if (enters && !open)
+      {
+        ++segment;
+      }
+      open = enters;
+      this->append(index, enters ? segment : -1, ends[piece], ends[piece + 1]);
+    }
+    from = to;
+    entersFrom = entersTo;
+  }
+}
+
+LaunchPoint LaunchLine::at(double lambda) const
+{
+  if (this->Stretches.empty())
+  {
+    throw std::logic_error("the wave comes in nowhere: there is no launch line");
+  }
+  auto next = std::upper_bound(this->Stretches.begin(), this->Stretches.end(), lambda,
+    [](double value, const Stretch& stretch) { return value < stretch.lambda; });
+  const Stretch& stretch = next == this->Stretches.begin() ? *next : *std::prev(next);
+  const Side& side = this->Sides[stretch.side];
+
+  // Newton on lambda(l), kept inside of the stretch.
+  const double wanted = std::clamp(lambda - stretch.lambda, 0.0, stretch.width);
+  double l = stretch.from + (stretch.to - stretch.from) * (wanted / stretch.width);
+  glm::dvec2 integral(0.0);
+  for (int i = 0; i < 20; ++i)
+  {
+    integral = this->integrate(side, stretch.from, l);
+    const double density = this->edgeWave(side, l).density;
+    if (!(density > 0.0))
+    {
+      break;
+    }
+    const double before = l;
+    l = std::clamp(l - (integral.x - wanted) / density, stretch.from, stretch.to);
+    if (std::abs(l - before) <= 1e-15 * side.length)
+    {
+      break;
+    }
+  }
+  const EdgeWave wave = this->edgeWave(side, l);
+  LaunchPoint point;
+  point.position = side.corner + l * side.along;
+  point.wavenumber = wave.wavenumber;
+  point.dPosition = side.along / wave.density;
+  point.dWavenumber = wave.dWavenumber / wave.density;
+  point.phase = stretch.phase + this->integrate(side, stretch.from, l).y;
+  point.segment = stretch.segment;
+  return point;
+}
+
+}
