@@ -16,8 +16,9 @@ namespace swellray
  * Error for a smooth bed: O(d^4) in elevation, O(d^3) in its gradient, O(d^2) in its second derivatives
  * (de Boor 1978, A Practical Guide to Splines, ch. V).
  *
- * Nodes that are NaN are holes: every cell that touches one is a hole. The spline needs numbers there
- * and takes a smooth continuation of the elevations around.
+ * Nodes that are NaN (or infinite) are holes: every cell that touches one is a hole. The spline needs numbers
+ * there and takes a smooth continuation of the elevations around (fillHoles). Outside the bounds the
+ * polynomials of the edge cells go on.
  */
 class SplineSeafloor final : public Seafloor
 {
@@ -34,15 +35,23 @@ public:
   double resolution() const override;
   bool hasHoles() const override { return !this->HoleCell.empty(); }
   bool isHole(const glm::dvec2& p) const override;
+  /**
+   * Bounds from the coefficients of blocks of 8 x 8 cells (a B-spline lies in the convex hull of its
+   * coefficients); of a box that is partly outside they hold for the part inside.
+   */
   double highestElevation(const Rectangle& box) const override;
   double lowestElevation(const Rectangle& box) const override;
 
 private:
   void boundBlocks();
+  glm::dvec2 cell(const glm::dvec2& p) const; // column and row, whole numbers in the grid
+  template <typename Choose>
+  double extreme(const Rectangle& box, const std::vector<double>& blocks, const Choose& choose) const;
 
   Rectangle Bounds;
   glm::dvec2 Spacing{ 1.0 };
   glm::dvec2 InverseSpacing{ 1.0 };
+  glm::dvec2 LastCell{ 0.0 };              // its column and row
   std::size_t CellColumns = 0;
   std::size_t CellRows = 0;
   std::size_t CoefficientColumns = 0;      // cells + 3
