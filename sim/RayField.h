@@ -18,6 +18,12 @@ enum class RayState : std::uint8_t
   Aground = 3, ///< reached the beach; follows the shoreline from there on
 };
 
+/** True for a ray that is still a wave on the water. */
+constexpr bool isOnWater(RayState state)
+{
+  return state == RayState::Alive || state == RayState::Flat;
+}
+
 /** What ended a ray. The numbers are those of the cell array EndReason. */
 enum class EndReason : std::uint8_t
 {
@@ -31,7 +37,10 @@ enum class EndReason : std::uint8_t
   StoppedByObstacle = 7,
 };
 
-/** One position of a ray, on one front. */
+/** Front number of a place that lies on none: where a ray began or ended between two fronts. */
+constexpr std::uint32_t BetweenFronts = 0xffffffffu;
+
+/** One position of a ray. */
 struct RayPoint
 {
   glm::dvec2 position{ 0.0 };   ///< m
@@ -42,7 +51,7 @@ struct RayPoint
   double travelTime = 0.0;      ///< s since launch
   double tubeWidth = 0.0;       ///< signed width of the ray tube over its width offshore (beta); NaN where it has none
   double spacingWidth = 0.0;    ///< the same from the neighbouring rays, unsigned; NaN where a ray has no neighbour
-  std::uint32_t front = 0;      ///< number of the front
+  std::uint32_t front = 0;      ///< number of the front, or BetweenFronts
   std::int32_t caustics = 0;    ///< caustics passed (KMAH index)
   RayState state = RayState::Alive;
 };
@@ -76,6 +85,13 @@ struct RayField
   bool stepCapReached = false;///< rays ended because of the cap on fronts or steps
   bool cancelled = false;
   std::size_t evaluations = 0;///< evaluations of the ray equations
+
+  /**
+   * Points at which the wave feels the bottom (kh < pi) in more than twice its height of water, and how many of
+   * them have fewer than 5 cells of the seafloor's grid a wavelength.
+   */
+  std::size_t refractingPoints = 0;
+  std::size_t coarsePoints = 0;
 
   std::size_t pointCount(std::size_t ray) const { return offsets[ray + 1] - offsets[ray]; }
 };

@@ -65,6 +65,9 @@ public:
   /** Length at which a line over this seafloor is looked at for land and holes, m (grid: half a cell). */
   virtual double resolution() const = 0;
 
+  /** Size of the grid's cells, the larger of the two, m; 0 for a formula. */
+  virtual double cellSize() const { return 0.0; }
+
   /** Number of kink curves, at most 32. */
   virtual unsigned kinkCount() const { return 0; }
 

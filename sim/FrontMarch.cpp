@@ -1,0 +1,556 @@
+#include "sim/FrontMarch.h"
+
+#include "sim/Angles.h"
+#include "sim/Dispersion.h"
+#include "sim/HamiltonianRay.h"
+#include "sim/SnellRay.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Default launch spacing: a share of the launch width, within these numbers of rays.
+constexpr double FewestRays = 100.0;
+constexpr double MostRays = 2000.0;
+
+// Cells a wavelength below which a grid is too coarse for the wave.
+constexpr double FewestCells = 5.0;
+
+constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
+
+}
+
+FrontMarch::FrontMarch(const RayMedium& medium, const IncidentWave& wave, const TraceOptions& options,
+  const LaunchLine& line, const Execution& execution)
+  : Medium(medium)
+  , Wave(wave)
+  , Options(options)
+  , Line(line)
+  , Run(execution)
+{
+  const double wavelength = 2.0 * Pi / wave.wavenumber();
+  const double width = line.length();
+  if (options.spacing)
+  {
+    this->Spacing = *options.spacing;
+  }
+  else
+  {
+    const double wanted = std::ceil(width / std::min(width / FewestRays, 0.5 * wavelength));
+    this->Spacing = width / std::clamp(wanted, FewestRays, MostRays);
+  }
+  this->MaxSpacing = options.maxSpacing.value_or(1.5 * this->Spacing);
+  this->SnellStep = options.step.value_or(wavelength / options.stepsPerWave);
+  if (options.step)
+  {
+    this->Measure = FrontMeasure::Length;
+    this->FrontStep = *options.step;
+  }
+  else
+  {
+    this->FrontStep = 2.0 * Pi / options.stepsPerWave;
+  }
+}
+
+RayField FrontMarch::run()
+{
+  this->launchAll();
+  const Rectangle box = this->Medium.seafloor->bounds();
+  const double diagonal = glm::length(box.size());
+  const double expected = std::max(1.0,
+    1.5 * diagonal / this->FrontStep * (this->Measure == FrontMeasure::Phase ? this->Wave.wavenumber() : 1.0));
+  for (this->Front = 0; this->anyOnWater(); ++this->Front)
+  {
+    if (this->Front >= this->Options.maxFronts)
+    {
+      this->StepCapReached = true;
+      this->finishRemaining(EndReason::StepCap);
+      break;
+    }
+    if (!this->Run.report(1.0 - std::exp(-2.0 * this->Front / expected)))
+    {
+      this->Cancelled = true;
+      this->finishRemaining(EndReason::Cancelled);
+      break;
+    }
+    const double target = this->frontValue();
+    this->Records.emplace_back();
+    this->Run.forRange(this->Order.size(), [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        this->advance(this->standing(i), target);
+      }
+    });
+    this->settleEnded();
+    this->insertRays();
+    this->settleShore();
+    this->measureSpacing();
+    this->markFlat();
+    this->recordFront();
+  }
+  return this->collect();
+}
+
+std::unique_ptr<RayPath> FrontMarch::makePath(const RayStart& start) const
+{
+  if (this->Options.scheme == TraceScheme::Snell)
+  {
+    return std::make_unique<SnellRay>(this->Medium, start, this->SnellStep);
+  }
+  return std::make_unique<HamiltonianRay>(this->Medium, start, this->Options.tolerance);
+}
+
+RayStart FrontMarch::launch(double lambda, int& segment) const
+{
+  const LaunchPoint point = this->Line.at(lambda);
+  segment = point.segment;
+  RayStart start;
+  start.position = point.position;
+  start.wavenumber = point.wavenumber;
+  start.dPosition = point.dPosition;
+  start.dWavenumber = point.dWavenumber;
+  start.phase = point.phase;
+  return start;
+}
+
+double FrontMarch::measureOf(const RayStart& start) const
+{
+  return this->Measure == FrontMeasure::Phase ? start.phase : start.length;
+}
+
+double FrontMarch::frontValue() const
+{
+  return this->Front * this->FrontStep;
+}
+
+void FrontMarch::launchAll()
+{
+  const double width = this->Line.length();
+  double count = std::max(1.0, std::floor(width / this->Spacing * (1.0 + 1e-12)));
+  if (count > static_cast<double>(this->Options.maxRays))
+  {
+    count = static_cast<double>(this->Options.maxRays);
+    this->RayCapReached = true;
+  }
+  const double margin = std::max(0.0, 0.5 * (width - count * this->Spacing));
+  const auto rays = static_cast<std::size_t>(count);
+  this->Rays.resize(rays);
+  this->Order.resize(rays);
+  this->Run.forRange(rays, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      Ray& ray = this->Rays[i];
+      const double share = (static_cast<double>(i) + 0.5) * this->Spacing;
+      ray.info.launchParameter = std::min(margin + share, width);
+      const RayStart start = this->launch(ray.info.launchParameter, ray.info.launchSegment);
+      ray.path = this->makePath(start);
+      ray.measure = this->measureOf(start);
+      ray.startPhase = start.phase;
+      RayPoint& point = ray.between[0];
+      ray.path->advance(this->Measure, ray.measure, point);
+      const double left = point.wavenumber.x * start.dPosition.y - point.wavenumber.y * start.dPosition.x;
+      point.spacingWidth = left / glm::length(point.wavenumber);
+      point.front = BetweenFronts;
+      point.state = RayState::Alive;
+      ray.betweenCount = 1;
+      ray.place = point;
+    }
+  });
+  for (std::size_t i = 0; i < rays; ++i)
+  {
+    this->Order[i].ray = static_cast<std::uint32_t>(i);
+    this->Order[i].linked =
+      i + 1 < rays && this->Rays[i].info.launchSegment == this->Rays[i + 1].info.launchSegment;
+  }
+}
+
+void FrontMarch::advance(Ray& ray, double target) const
+{
+  if (ray.waiting)
+  {
+    if (ray.measure > target)
+    {
+      return;
+    }
+    ray.waiting = false;
+    if (ray.measure > target - 1e-9 * this->FrontStep)
+    {
+      // The launch point is the ray's place on this front.
+      ray.betweenCount = 0;
+    }
+  }
+  ray.place.front = this->Front;
+  if (ray.state == RayState::Aground)
+  {
+    this->walkOn(ray, target);
+    return;
+  }
+  if (ray.path->advance(this->Measure, target, ray.place))
+  {
+    ray.measure = target;
+    return;
+  }
+  ray.measure = this->Measure == FrontMeasure::Phase ? ray.place.phase : ray.path->length();
+  ray.info.endReason = ray.path->endReason();
+  const bool aground = ray.info.endReason == EndReason::Aground;
+  RayPoint& end = ray.between[ray.betweenCount++];
+  end = ray.place;
+  end.front = BetweenFronts;
+  end.state = aground ? RayState::Aground : RayState::Dead;
+  ray.state = end.state;
+  if (aground)
+  {
+    ray.walk = ShorelineWalk(this->Medium, ray.place);
+    this->walkOn(ray, target);
+  }
+}
+
+void FrontMarch::walkOn(Ray& ray, double target) const
+{
+  const double ahead = std::max(0.0, target - ray.measure);
+  const double k = ray.walk.wavenumber();
+  const double distance = this->Measure == FrontMeasure::Phase ? ahead / k : ahead;
+  if (!ray.walk.advance(distance))
+  {
+    ray.state = RayState::Dead;
+    return;
+  }
+  ray.measure = target;
+  ray.place.position = ray.walk.position();
+  ray.place.rayDirection = ray.walk.direction();
+  ray.place.wavenumber = k * ray.walk.direction();
+  ray.place.depth = this->Medium.agroundDepth;
+  ray.place.phase += k * distance;
+  ray.place.travelTime += distance / ray.walk.groupSpeed();
+}
+
+void FrontMarch::record(std::uint32_t index, bool withPlace)
+{
+  Ray& ray = this->Rays[index];
+  std::vector<Record>& records = this->Records.back();
+  for (int i = 0; i < ray.betweenCount; ++i)
+  {
+    records.push_back({ index, ray.between[i] });
+  }
+  ray.betweenCount = 0;
+  if (withPlace)
+  {
+    ray.place.state = ray.state;
+    records.push_back({ index, ray.place });
+  }
+}
+
+void FrontMarch::retire(std::uint32_t index)
+{
+  Ray& ray = this->Rays[index];
+  ray.info.finalState = ray.state;
+  if (ray.path)
+  {
+    ray.info.dispersionError = ray.path->dispersionError();
+    this->Evaluations += ray.path->evaluations();
+    ray.path.reset();
+  }
+}
+
+void FrontMarch::settleEnded()
+{
+  std::vector<Standing> kept;
+  kept.reserve(this->Order.size());
+  for (const Standing& standing : this->Order)
+  {
+    Ray& ray = this->Rays[standing.ray];
+    if (ray.state != RayState::Dead)
+    {
+      kept.push_back(standing);
+      continue;
+    }
+    // Who stood on either side of a ray that is gone are no neighbours.
+    if (!kept.empty())
+    {
+      kept.back().linked = false;
+    }
+    this->record(standing.ray, false);
+    this->retire(standing.ray);
+  }
+  this->Order.swap(kept);
+}
+
+double FrontMarch::shoreStep() const
+{
+  const double k = solveWavenumber(this->Medium.angularFrequency, this->Medium.agroundDepth, this->Medium.gravity);
+  return this->Measure == FrontMeasure::Phase ? this->FrontStep / k : this->FrontStep;
+}
+
+void FrontMarch::settleShore()
+{
+  const std::size_t count = this->Order.size();
+  const double closed = 2.0 * this->shoreStep();
+  const auto aground = [&](std::size_t i) { return this->standing(i).state == RayState::Aground; };
+  const auto place = [&](std::size_t i) { return this->standing(i).place.position; };
+  std::vector<bool> dead(count, false);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const bool left = i > 0 && this->Order[i - 1].linked && aground(i - 1);
+    const bool right = i + 1 < count && this->Order[i].linked && aground(i + 1);
+    if (left && right && !this->standing(i).waiting)
+    {
+      // A ray on the water ends only when the shore has closed in on it.
+      dead[i] = aground(i) || glm::length(place(i + 1) - place(i - 1)) < closed;
+    }
+    else if (right && aground(i))
+    {
+      // Two that meet behind an island have closed the front.
+      const glm::dvec2 way = place(i + 1) - place(i);
+      if (glm::length(way) < closed && glm::dot(this->standing(i).walk.direction(), way) > 0.0 &&
+        glm::dot(this->standing(i + 1).walk.direction(), way) < 0.0)
+      {
+        dead[i] = true;
+        dead[i + 1] = true;
+      }
+    }
+  }
+
+  std::vector<Standing> kept;
+  kept.reserve(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Standing& standing = this->Order[i];
+    if (!dead[i])
+    {
+      kept.push_back(standing);
+      continue;
+    }
+    Ray& ray = this->Rays[standing.ray];
+    if (ray.state != RayState::Aground)
+    {
+      ray.info.endReason = EndReason::BetweenAground;
+    }
+    ray.state = RayState::Dead;
+    this->record(standing.ray, true);
+    this->retire(standing.ray);
+    // Its neighbours close up, where it had both.
+    if (!kept.empty())
+    {
+      kept.back().linked = kept.back().linked && standing.linked;
+    }
+  }
+  this->Order.swap(kept);
+}
+
+const FrontMarch::Ray* FrontMarch::neighbour(std::size_t at, int step, const Ray& self) const
+{
+  const bool linked = step > 0 ? this->Order[at].linked : at > 0 && this->Order[at - 1].linked;
+  if (!linked)
+  {
+    return nullptr;
+  }
+  const Ray& other = this->standing(step > 0 ? at + 1 : at - 1);
+  // A refracted ray's tube is bounded by refracted rays; a lee ray shares the tube of whatever stands beside it.
+  const bool shares = self.info.lee || (!other.info.lee && isOnWater(other.state));
+  return shares && !other.waiting ? &other : nullptr;
+}
+
+double FrontMarch::spacingWidth(std::size_t at) const
+{
+  const Ray& self = this->standing(at);
+  const Ray* left = this->neighbour(at, -1, self);
+  const Ray* right = this->neighbour(at, 1, self);
+  const glm::dvec2 x = self.place.position;
+  const double lambda = self.info.launchParameter;
+  if (self.info.lee)
+  {
+    const double from = left ? left->info.launchParameter : lambda;
+    const double to = right ? right->info.launchParameter : lambda;
+    const double front = (left ? glm::length(left->place.position - x) : 0.0) +
+      (right ? glm::length(right->place.position - x) : 0.0);
+    return to > from ? front / (to - from) : NotANumber;
+  }
+
+  // Derivative of the position by lambda along the front, of second order at unequal distances.
+  const auto second = [&](const Ray* near, int step, std::size_t place) -> const Ray* {
+    return near ? this->neighbour(place, step, *near) : nullptr;
+  };
+  const Ray* a = left;
+  const Ray* b = right;
+  if (!a)
+  {
+    a = second(right, 1, at + 1);
+  }
+  else if (!b)
+  {
+    b = a;
+    a = second(left, -1, at - 1);
+  }
+  glm::dvec2 derivative(0.0);
+  if (a && b)
+  {
+    const double ha = a->info.launchParameter - lambda;
+    const double hb = b->info.launchParameter - lambda;
+    if (ha == 0.0 || hb == 0.0 || ha == hb)
+    {
+      return NotANumber;
+    }
+    derivative = (ha * ha * (b->place.position - x) - hb * hb * (a->place.position - x)) / (ha * hb * (ha - hb));
+  }
+  else if (const Ray* only = a ? a : b)
+  {
+    derivative = (only->place.position - x) / (only->info.launchParameter - lambda);
+  }
+  else
+  {
+    return NotANumber;
+  }
+  const glm::dvec2 ray = self.place.rayDirection;
+  return std::abs(ray.x * derivative.y - ray.y * derivative.x);
+}
+
+void FrontMarch::measureSpacing()
+{
+  std::vector<double> width(this->Order.size(), NotANumber);
+  this->Run.forRange(this->Order.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Ray& ray = this->standing(i);
+      if (!ray.waiting && isOnWater(ray.state))
+      {
+        width[i] = this->spacingWidth(i);
+      }
+    }
+  });
+  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  {
+    Ray& ray = this->standing(i);
+    // An aground ray keeps the width it grounded with; a launch point has the exact one.
+    if (!ray.waiting && isOnWater(ray.state) && ray.place.phase > ray.startPhase)
+    {
+      ray.place.spacingWidth = width[i];
+    }
+  }
+}
+
+void FrontMarch::markFlat()
+{
+  if (!(this->Options.flatHeight > 0.0))
+  {
+    return;
+  }
+  const double groupSpeed0 = this->Wave.groupSpeed();
+  for (std::size_t i = 0; i < this->Order.size(); ++i)
+  {
+    Ray& ray = this->standing(i);
+    if (ray.waiting || !isOnWater(ray.state))
+    {
+      continue;
+    }
+    const RayPoint& place = ray.place;
+    const double width = std::isfinite(place.spacingWidth) ? place.spacingWidth : std::abs(place.tubeWidth);
+    const double groupSpeed =
+      waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity).groupSpeed;
+    const double height = this->Wave.height * std::sqrt(groupSpeed0 / (groupSpeed * width));
+    ray.state = height < this->Options.flatHeight ? RayState::Flat : RayState::Alive;
+  }
+}
+
+void FrontMarch::recordFront()
+{
+  for (const Standing& standing : this->Order)
+  {
+    if (!this->Rays[standing.ray].waiting)
+    {
+      this->record(standing.ray, true);
+    }
+  }
+}
+
+bool FrontMarch::anyOnWater() const
+{
+  return std::any_of(this->Order.begin(), this->Order.end(), [&](const Standing& standing) {
+    const Ray& ray = this->Rays[standing.ray];
+    return ray.waiting || isOnWater(ray.state);
+  });
+}
+
+void FrontMarch::finishRemaining(EndReason reason)
+{
+  for (const Standing& standing : this->Order)
+  {
+    Ray& ray = this->Rays[standing.ray];
+    if (isOnWater(ray.state))
+    {
+      ray.info.endReason = reason;
+    }
+  }
+}
+
+RayField FrontMarch::collect()
+{
+  for (const Standing& standing : this->Order)
+  {
+    // A ray the march did not come to has its launch point.
+    if (this->Rays[standing.ray].waiting)
+    {
+      this->Records.emplace_back();
+      this->record(standing.ray, false);
+    }
+    this->retire(standing.ray);
+  }
+
+  RayField field;
+  field.fronts = this->Front;
+  field.spacing = this->Spacing;
+  field.maxSpacing = this->MaxSpacing;
+  field.launchWidth = this->Line.length();
+  field.rayCapReached = this->RayCapReached;
+  field.stepCapReached = this->StepCapReached;
+  field.cancelled = this->Cancelled;
+  field.evaluations = this->Evaluations;
+  field.rays.reserve(this->Rays.size());
+  for (Ray& ray : this->Rays)
+  {
+    field.stepCapReached = field.stepCapReached || ray.info.endReason == EndReason::StepCap;
+    field.rays.push_back(ray.info);
+  }
+  this->Rays.clear();
+
+  std::vector<std::size_t> next(field.rays.size() + 1, 0);
+  for (const std::vector<Record>& records : this->Records)
+  {
+    for (const Record& record : records)
+    {
+      ++next[record.ray + 1];
+    }
+  }
+  for (std::size_t i = 1; i < next.size(); ++i)
+  {
+    next[i] += next[i - 1];
+  }
+  field.offsets = next;
+  field.points.resize(next.back());
+  const double cell = this->Medium.seafloor->cellSize();
+  for (std::vector<Record>& records : this->Records)
+  {
+    for (const Record& record : records)
+    {
+      const RayPoint& point = record.point;
+      const double k = glm::length(point.wavenumber);
+      if (cell > 0.0 && k * point.depth < Pi && point.depth > 2.0 * this->Wave.height)
+      {
+        ++field.refractingPoints;
+        field.coarsePoints += 2.0 * Pi / k < FewestCells * cell ? 1 : 0;
+      }
+      field.points[next[record.ray]++] = point;
+    }
+    std::vector<Record>().swap(records);
+  }
+  return field;
+}
+
+}

@@ -1,0 +1,99 @@
+#include "sim/WaveTracer.h"
+
+#include "sim/FrontMarch.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Share of the incident height at which a ray is aground.
+constexpr double AgroundShare = 0.05;
+
+std::string number(double value)
+{
+  std::string text = std::to_string(value);
+  const std::size_t last = text.find_last_not_of('0');
+  text.erase(text[last] == '.' ? last : last + 1);
+  return text;
+}
+
+void requirePositive(const char* name, double value, const char* unit)
+{
+  if (!(value > 0.0) || !std::isfinite(value))
+  {
+    throw std::invalid_argument(std::string(name) + " must be above 0" + unit + ", not " + number(value));
+  }
+}
+
+}
+
+void TraceOptions::validate() const
+{
+  if (!std::isfinite(this->waterLevel))
+  {
+    throw std::invalid_argument("water level must be a finite number of metres");
+  }
+  if (this->spacing)
+  {
+    requirePositive("spacing", *this->spacing, " m");
+  }
+  if (this->maxSpacing)
+  {
+    requirePositive("max spacing", *this->maxSpacing, " m");
+  }
+  requirePositive("steps per wave", this->stepsPerWave, "");
+  if (this->step)
+  {
+    requirePositive("step", *this->step, " m");
+  }
+  requirePositive("tolerance", this->tolerance, "");
+  if (this->tolerance > 0.1)
+  {
+    throw std::invalid_argument("tolerance must be at most 0.1, not " + number(this->tolerance));
+  }
+  if (!(this->flatHeight >= 0.0) || !std::isfinite(this->flatHeight))
+  {
+    throw std::invalid_argument("flat height must be 0 m or above, not " + number(this->flatHeight));
+  }
+  if (this->agroundDepth)
+  {
+    requirePositive("aground depth", *this->agroundDepth, " m");
+  }
+  if (this->shoreNormal && !std::isfinite(*this->shoreNormal))
+  {
+    throw std::invalid_argument("shore normal must be a finite number of degrees");
+  }
+  if (this->maxRays == 0 || this->maxFronts == 0)
+  {
+    throw std::invalid_argument("the caps on rays and on fronts must be above 0");
+  }
+}
+
+RayField traceWaves(
+  const Seafloor& seafloor, const IncidentWave& wave, const TraceOptions& options, const Execution& execution)
+{
+  wave.validate();
+  options.validate();
+  RayMedium medium;
+  medium.seafloor = &seafloor;
+  medium.waterLevel = options.waterLevel;
+  medium.gravity = wave.gravity;
+  medium.angularFrequency = wave.angularFrequency();
+  medium.agroundDepth = options.agroundDepth.value_or(AgroundShare * wave.height);
+  const LaunchLine line(
+    seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal);
+  if (!(line.length() > 0.0))
+  {
+    throw std::runtime_error("a wave from " + number(wave.directionFrom) +
+      " degrees comes in nowhere over water: choose another direction, crop or water level");
+  }
+  return FrontMarch(medium, wave, options, line, execution).run();
+}
+
+}
