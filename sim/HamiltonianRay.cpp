@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace swellray
 {
@@ -371,13 +372,9 @@ void HamiltonianRay::crossKink(unsigned kink)
   if (std::abs(approach) > 1e-9 * size)
   {
     const double share = offset / approach;
-    for (const std::size_t i : { DX, DY })
+    for (const auto& [variation, component] : { std::pair{ DX, X }, { DY, Y }, { DKx, Kx }, { DKy, Ky } })
     {
-      this->Begin[i] += (before[i - DX + X] - this->BeginRate[i - DX + X]) * share;
-    }
-    for (const std::size_t i : { DKx, DKy })
-    {
-      this->Begin[i] += (before[i - DKx + Kx] - this->BeginRate[i - DKx + Kx]) * share;
+      this->Begin[variation] += (this->BeginRate[component] - before[component]) * share;
     }
     evaluate(this->Medium, this->Region, this->DryDepth, this->Begin, this->BeginRate, local);
     this->RateScale = std::max(this->RateScale, std::hypot(this->Begin[DKx], this->Begin[DKy]));
