@@ -73,20 +73,4 @@ void computeRayQuantities(const RayField& field, const IncidentWave& wave, doubl
     });
 }
 
-double underResolvedShare(const RayField& field, double cell, double cellsAWave)
-{
-  std::size_t feeling = 0;
-  std::size_t coarse = 0;
-  for (const RayPoint& point : field.points)
-  {
-    const double k = glm::length(point.wavenumber);
-    if (point.state != RayState::Aground && k * point.depth < Pi)
-    {
-      ++feeling;
-      coarse += wavelengthOf(k) < cellsAWave * cell ? 1 : 0;
-    }
-  }
-  return feeling > 0 ? static_cast<double>(coarse) / static_cast<double>(feeling) : 0.0;
-}
-
 }

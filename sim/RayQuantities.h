@@ -45,10 +45,4 @@ struct RayQuantities
 void computeRayQuantities(const RayField& field, const IncidentWave& wave, double waterLevel,
   const RayQuantities& quantities, const Execution& execution = {});
 
-/**
- * Of the points not aground where the wave feels the bottom (k h < pi), the share with fewer than `cellsAWave`
- * cells of `cell` metres in a wavelength, 0 to 1; 0 where there is no such point.
- */
-double underResolvedShare(const RayField& field, double cell, double cellsAWave);
-
 }

@@ -136,19 +136,3 @@ TEST(RayQuantities, refusesABadWave)
   wave.period = 0.0;
   EXPECT_THROW(computeRayQuantities(RayField(), wave, 0.0, RayQuantities()), std::invalid_argument);
 }
-
-TEST(RayQuantities, shareOfPointsThatAGridIsTooCoarseFor)
-{
-  const IncidentWave wave; // 10 s: 156 m long in deep water, 91 m at a depth of 10 m
-  RayField field;
-  EXPECT_EQ(underResolvedShare(field, 20.0, 5.0), 0.0);
-  for (const double depth : { 200.0, 40.0, 10.0, 10.0 })
-  {
-    field.points.push_back(fieldOfOnePoint(depth, 0.0, 1.0, 1.0, wave).points.front());
-    field.points.back().state = RayState::Alive;
-  }
-  field.points.back().state = RayState::Aground;
-  // Two points count: the deep one does not feel the bottom, the last is no longer refracted.
-  EXPECT_EQ(underResolvedShare(field, 20.0, 5.0), 0.5);
-  EXPECT_EQ(underResolvedShare(field, 10.0, 5.0), 0.0);
-}
