@@ -1,0 +1,35 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace swellray
+{
+
+/** Which way the values of a file count. */
+enum class Positive
+{
+  Auto, ///< as the file's metadata say, otherwise elevation, up
+  Up,   ///< values are elevations
+  Down, ///< values are depths
+};
+
+/** How a seafloor file is read. */
+struct SeafloorOptions
+{
+  std::optional<double> resample; ///< node distance of the result, both axes, m, > 0; the file's own where not set
+  double smooth = 0.0;            ///< standard deviation of the Gaussian that smooths the grid, m, >= 0; 0: none
+  std::optional<std::array<double, 4>> crop; ///< x0, y0, x1, y1 in the file's own coordinates, x0 < x1, y0 < y1
+  Positive positive = Positive::Auto;
+  std::string crs;                ///< anything GDAL takes (EPSG:n, WKT, PROJ); "local": metres; empty: the file's own
+  std::optional<double> nodata;   ///< value, as stored in the file, that stands for no data, beside the file's own
+  std::optional<double> maxGap;   ///< widest gap at the border of the grid that is filled, m, >= 0; 5 cells
+  std::string variable;           ///< variable of a NetCDF file, or number or description of a raster band
+  double waterLevel = 0.0;        ///< m, positive up
+
+  /** @throws std::invalid_argument naming the option that is out of range */
+  void validate() const;
+};
+
+}

@@ -1,0 +1,286 @@
+#include "bathymetry/SeafloorReader.h"
+
+#include "bathymetry/FileGrid.h"
+#include "bathymetry/FillGaps.h"
+#include "bathymetry/RasterSource.h"
+#include "bathymetry/SmoothGrid.h"
+#include "bathymetry/Text.h"
+#include "bathymetry/ToMetres.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Slope, rms, above which coordinates that fit longitude and latitude are taken for degrees.
+constexpr double AbsurdSlope = 100.0;
+
+// No place on Earth is further from the sea's level, m.
+constexpr double FarthestElevation = 12000.0;
+
+// Scale error of the map above which it is said aloud.
+constexpr double NotableScaleError = 0.005;
+
+void report(const Execution& execution, double share)
+{
+  if (!execution.report(share))
+  {
+    throw std::runtime_error("reading was cancelled");
+  }
+}
+
+std::string wordsForRange(const ElevationGrid& grid)
+{
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const double z : grid.elevation)
+  {
+    if (!std::isnan(z))
+    {
+      lowest = std::min(lowest, z);
+      highest = std::max(highest, z);
+    }
+  }
+  return text(lowest) + " to " + text(highest) + " m";
+}
+
+FileGrid readElevations(const RasterSource& source, const SeafloorOptions& options, bool longitudes,
+  const VerticalMeaning& meaning)
+{
+  const RasterHeader& header = source.header();
+  const RasterWindow window = selectWindow(header, options.crop, longitudes);
+  FileGrid file;
+  file.values.columns = window.columns;
+  file.values.rows = window.rows;
+  file.values.elevation = source.read(window, options.nodata.value_or(std::numeric_limits<double>::quiet_NaN()));
+  file.first = header.node(static_cast<double>(window.firstColumn), static_cast<double>(window.firstRow));
+  file.columnStep = header.columnStep;
+  file.rowStep = header.rowStep;
+  bool any = false;
+  for (double& z : file.values.elevation)
+  {
+    z *= meaning.factor;
+    any = any || !std::isnan(z);
+    if (std::abs(z) > FarthestElevation)
+    {
+      throw std::runtime_error("it has an elevation of " + text(z) + " m, farther from the sea's level than any place " +
+        "on Earth; if " + text(z / meaning.factor) + " marks missing data, say --nodata " + text(z / meaning.factor, 17));
+    }
+  }
+  if (!any)
+  {
+    throw std::runtime_error("it has no data: every cell that was read is marked as missing");
+  }
+  if (file.axisAligned())
+  {
+    file.ascend();
+  }
+  return file;
+}
+
+// Root mean square of the slopes between neighbours, metres a unit of the file.
+double rmsSlope(const FileGrid& file)
+{
+  const ElevationGrid& z = file.values;
+  const double along = std::hypot(file.columnStep.x, file.columnStep.y);
+  const double across = std::hypot(file.rowStep.x, file.rowStep.y);
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t row = 0; row + 1 < z.rows; ++row)
+  {
+    for (std::size_t column = 0; column + 1 < z.columns; ++column)
+    {
+      const double a = (z.at(column + 1, row) - z.at(column, row)) / along;
+      const double b = (z.at(column, row + 1) - z.at(column, row)) / across;
+      if (!std::isnan(a + b))
+      {
+        squares += a * a + b * b;
+        count += 1.0;
+      }
+    }
+  }
+  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+}
+
+struct CrsChoice
+{
+  std::string crs;
+  std::string source;
+};
+
+CrsChoice chooseCrs(
+  const FileGrid& file, const RasterHeader& header, const SeafloorOptions& options, std::vector<std::string>& notes)
+{
+  if (!options.crs.empty())
+  {
+    return { plain(options.crs) == "local" ? std::string() : crsToWkt(options.crs), "as asked" };
+  }
+  if (!header.crs.empty())
+  {
+    return { header.crs, header.crsSource.empty() ? "file" : header.crsSource };
+  }
+  const Rectangle extent = file.extent();
+  const bool fits =
+    extent.low.x >= -180.0 && extent.high.x <= 360.0 && extent.low.y >= -90.0 && extent.high.y <= 90.0;
+  const double slope = rmsSlope(file);
+  if (fits && slope > AbsurdSlope)
+  {
+    notes.push_back("no CRS: taken as longitude and latitude (WGS 84), because its coordinates fit them and its slope " +
+      ("would be " + text(slope, 3)) + " (rms) if they were metres; --crs overrides");
+    return { "EPSG:4326", "assumed" };
+  }
+  notes.push_back(std::string("no CRS: coordinates taken as metres, because ") +
+    (fits ? "its slope is then " + text(slope, 3) + " (rms)" : "they do not fit longitude and latitude") +
+    "; --crs overrides");
+  return { "", "assumed" };
+}
+
+bool isLongitudes(const RasterHeader& header, const SeafloorOptions& options)
+{
+  const std::string& crs = options.crs.empty() ? header.crs : options.crs;
+  return !crs.empty() && plain(crs) != "local" &&
+    Georeference(crs, glm::dvec2(0.0), glm::dvec2(0.0)).kind() == GeoreferenceKind::Geographic;
+}
+
+// A mark for missing data that the file does not declare looks like a deep sea.
+void noteLikelyMark(const FileGrid& file, const VerticalMeaning& meaning, std::vector<std::string>& notes)
+{
+  constexpr double usualMark = -9999.0;
+  const auto marks = std::count_if(file.values.elevation.begin(), file.values.elevation.end(),
+    [&meaning](double z) { return z / meaning.factor == usualMark; });
+  if (marks > 0)
+  {
+    notes.push_back(std::to_string(marks) + " cells hold -9999, which often marks missing data: if so, say --nodata -9999");
+  }
+}
+
+void countShares(const ElevationGrid& grid, double waterLevel, SeafloorReport& report)
+{
+  std::size_t water = 0;
+  std::size_t land = 0;
+  report.lowest = std::numeric_limits<double>::infinity();
+  report.highest = -report.lowest;
+  for (const double z : grid.elevation)
+  {
+    if (std::isnan(z))
+    {
+      continue;
+    }
+    ++(z < waterLevel ? water : land);
+    report.lowest = std::min(report.lowest, z);
+    report.highest = std::max(report.highest, z);
+  }
+  const auto total = static_cast<double>(grid.elevation.size());
+  report.waterShare = static_cast<double>(water) / total;
+  report.landShare = static_cast<double>(land) / total;
+  report.noDataShare = static_cast<double>(grid.elevation.size() - water - land) / total;
+}
+
+void requireWater(const FileGrid& file, const SeafloorOptions& options, const VerticalMeaning& meaning)
+{
+  const auto& z = file.values.elevation;
+  if (std::none_of(z.begin(), z.end(), [&options](double e) { return e < options.waterLevel; }))
+  {
+    throw std::runtime_error("it has no cell below the water level of " + text(options.waterLevel) +
+      " m (elevations " + wordsForRange(file.values) + "); if its values are " +
+      (meaning.factor > 0.0 ? "depths, say --positive down" : "elevations, say --positive up"));
+  }
+}
+
+Bathymetry read(const std::string& path, const SeafloorOptions& options, const Execution& execution)
+{
+  Bathymetry result;
+  SeafloorReport& said = result.report;
+  const std::unique_ptr<RasterSource> source = openRaster(path, options.variable);
+  const RasterHeader& header = source->header();
+  const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
+  FileGrid file = readElevations(*source, options, isLongitudes(header, options), meaning);
+  report(execution, 0.3);
+
+  said.path = path;
+  said.driver = header.driver;
+  said.variable = header.variable;
+  said.fileColumns = header.columns;
+  said.fileRows = header.rows;
+  said.readColumns = file.values.columns;
+  said.readRows = file.values.rows;
+  said.fileExtent = file.extent();
+  said.fileSpacing = { std::hypot(file.columnStep.x, file.columnStep.y), std::hypot(file.rowStep.x, file.rowStep.y) };
+  said.units = meaning.units;
+  said.unitsSource = meaning.unitsSource;
+  said.sign = meaning.sign;
+  said.signSource = meaning.signSource;
+  said.waterLevel = options.waterLevel;
+  said.notes = header.notes;
+  said.notes.insert(said.notes.end(), meaning.notes.begin(), meaning.notes.end());
+  noteLikelyMark(file, meaning, said.notes);
+  requireWater(file, options, meaning);
+
+  const CrsChoice choice = chooseCrs(file, header, options, said.notes);
+  const Georeference place = placeGrid(file, choice.crs);
+  const GapCount gaps = fillGaps(file.values, cellSize(file, place), options.maxGap);
+  said.noDataRead = gaps.filled + gaps.left;
+  said.filled = gaps.filled;
+  report(execution, 0.5);
+
+  if (!file.axisAligned())
+  {
+    said.notes.push_back("the grid is rotated: resampled to north up");
+  }
+  MetricGrid metric = toMetres(file, place, options.resample, execution);
+  report(execution, 0.9);
+  smoothGrid(metric.grid, options.smooth, execution);
+
+  result.grid = std::move(metric.grid);
+  result.georeference = metric.georeference;
+  said.crsName = result.georeference.crsName();
+  said.crsSource = choice.source;
+  said.kind = result.georeference.kind();
+  said.columns = result.grid.columns;
+  said.rows = result.grid.rows;
+  said.spacing = result.grid.spacing;
+  said.extent = result.grid.bounds();
+  said.resampled = metric.resampled;
+  said.scaleError = metric.scaleError;
+  countShares(result.grid, options.waterLevel, said);
+  if (said.waterShare == 0.0)
+  {
+    throw std::runtime_error("no water is left of it on the grid in metres");
+  }
+  if (result.georeference.metresPerUnit() != 1.0)
+  {
+    said.notes.push_back("its coordinates are units of " + text(result.georeference.metresPerUnit(), 12) +
+      " m: the scene is in metres, file coordinate = point / " + text(result.georeference.metresPerUnit(), 12) +
+      " + origin");
+  }
+  if (said.scaleError > NotableScaleError)
+  {
+    said.notes.push_back("distances on the map are off by up to " + text(100.0 * said.scaleError, 2) +
+      " %; --crop for a smaller scene, with less");
+  }
+  report(execution, 1.0);
+  return result;
+}
+
+}
+
+Bathymetry readSeafloor(const std::string& path, const SeafloorOptions& options, const Execution& execution)
+{
+  options.validate();
+  try
+  {
+    return read(path, options, execution);
+  }
+  catch (const std::exception& error)
+  {
+    throw std::runtime_error("seafloor '" + path + "': " + error.what());
+  }
+}
+
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "bathymetry/Georeference.h"
+#include "bathymetry/SeafloorOptions.h"
+#include "bathymetry/SeafloorReport.h"
+#include "sim/ElevationGrid.h"
+#include "sim/Execution.h"
+
+#include <string>
+
+namespace swellray
+{
+
+/** A seafloor read from a file. */
+struct Bathymetry
+{
+  ElevationGrid grid;        ///< m; holes are NaN. Georeference's points are this grid's positions.
+  Georeference georeference;
+  SeafloorReport report;
+};
+
+/**
+ * Read a raster that GDAL opens as elevations in metres on a regular grid in metres.
+ *
+ * Nodes are the centres of the file's cells. In this order: the part asked for is read, values become elevations,
+ * gaps are filled (fillGaps()), the grid is brought to metres, smoothed (smoothGrid()).
+ *
+ * Longitude and latitude, and rotated grids, are resampled once by their own C2 spline (SplineSeafloor), on the
+ * largest axis-aligned rectangle in the mapped outline, with the metric cell sizes at the centre as spacing unless
+ * `resample` is set; map: Georeference, centred on the scene. Other grids keep their nodes; the point (0, 0) is the
+ * south-west node.
+ *
+ * @throws std::invalid_argument an option out of range
+ * @throws std::runtime_error a file that cannot be read, has nothing but land or no data, or cannot be understood;
+ *   the message names the file
+ */
+Bathymetry readSeafloor(
+  const std::string& path, const SeafloorOptions& options = {}, const Execution& execution = {});
+
+}

@@ -1,0 +1,211 @@
+#include "bathymetry/ToMetres.h"
+
+#include "bathymetry/InscribedRectangle.h"
+#include "bathymetry/Text.h"
+#include "sim/SplineSeafloor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Points of the outline a side: the chord between two stays within a thousandth of a cell of a mapped edge.
+constexpr std::size_t OutlinePoints = 256;
+
+// Widest scene that one transverse Mercator map may hold, degrees: at 30 degrees from the meridian on the equator
+// its scale is off by 15 %.
+constexpr double WidestScene = 60.0;
+
+glm::dvec2 fileToPoint(const Georeference& georeference, const FileGrid& file, const glm::dvec2& index)
+{
+  return georeference.fromFile(file.toFile(index));
+}
+
+std::vector<glm::dvec2> outline(const FileGrid& file, const Georeference& georeference)
+{
+  const glm::dvec2 last = file.lastIndex();
+  const glm::dvec2 corners[] = { { 0.0, 0.0 }, { last.x, 0.0 }, last, { 0.0, last.y }, { 0.0, 0.0 } };
+  std::vector<glm::dvec2> points;
+  points.reserve(4 * OutlinePoints);
+  for (std::size_t side = 0; side < 4; ++side)
+  {
+    for (std::size_t i = 0; i < OutlinePoints; ++i)
+    {
+      const double t = static_cast<double>(i) / static_cast<double>(OutlinePoints);
+      points.push_back(fileToPoint(georeference, file, corners[side] + t * (corners[side + 1] - corners[side])));
+    }
+  }
+  return points;
+}
+
+// Nodes at equal distances that fit a length.
+std::size_t nodesIn(double length, double spacing)
+{
+  constexpr double rounding = 1e-9;
+  const double steps = std::floor(length / spacing * (1.0 + rounding) + rounding);
+  return steps < static_cast<double>(MostNodes) ? static_cast<std::size_t>(std::max(0.0, steps)) + 1 : MostNodes + 1;
+}
+
+ElevationGrid layOut(const Rectangle& box, const glm::dvec2& spacing, bool centred)
+{
+  ElevationGrid grid;
+  grid.spacing = spacing;
+  grid.columns = nodesIn(box.size().x, spacing.x);
+  grid.rows = nodesIn(box.size().y, spacing.y);
+  const std::string size = text(spacing.x) + " x " + text(spacing.y) + " m on " + text(box.size().x) + " x " +
+    text(box.size().y) + " m";
+  if (grid.columns < FewestNodes || grid.rows < FewestNodes)
+  {
+    throw std::runtime_error("a grid of " + size + " has fewer than 4 x 4 nodes; choose a smaller --resample");
+  }
+  if (grid.columns > MostNodes / grid.rows)
+  {
+    throw std::runtime_error("a grid of " + size + " has more than " + std::to_string(MostNodes / 1000000) +
+      " million nodes; choose a larger --resample or a --crop");
+  }
+  const glm::dvec2 covered =
+    spacing * glm::dvec2(static_cast<double>(grid.columns - 1), static_cast<double>(grid.rows - 1));
+  grid.origin = box.low + (centred ? 0.5 * (box.size() - covered) : glm::dvec2(0.0));
+  grid.elevation.resize(grid.columns * grid.rows);
+  return grid;
+}
+
+void sample(ElevationGrid& grid, const FileGrid& file, const Georeference& georeference, const Execution& execution)
+{
+  const SplineSeafloor spline(file.values);
+  const glm::dvec2 last = file.lastIndex();
+  const bool geographic = georeference.kind() == GeoreferenceKind::Geographic;
+  const double middle = file.toFile(0.5 * last).x;
+  execution.forRange(grid.rows,
+    [&](std::size_t begin, std::size_t end)
+    {
+      BedSample bed;
+      for (std::size_t row = begin; row < end; ++row)
+      {
+        for (std::size_t column = 0; column < grid.columns; ++column)
+        {
+          glm::dvec2 place = georeference.toFile(grid.node(column, row));
+          if (geographic)
+          {
+            place.x = middle + std::remainder(place.x - middle, 360.0);
+          }
+          glm::dvec2 index = file.toIndex(place);
+          index = glm::dvec2(std::clamp(index.x, 0.0, last.x), std::clamp(index.y, 0.0, last.y));
+          if (spline.isHole(index))
+          {
+            grid.at(column, row) = std::numeric_limits<double>::quiet_NaN();
+            continue;
+          }
+          spline.evaluate(index, 0, bed);
+          grid.at(column, row) = bed.elevation;
+        }
+      }
+    });
+}
+
+double largestScaleError(const Rectangle& box, const Georeference& georeference)
+{
+  constexpr int steps = 16;
+  double largest = 0.0;
+  for (int j = 0; j <= steps; ++j)
+  {
+    for (int i = 0; i <= steps; ++i)
+    {
+      const glm::dvec2 p = box.low + box.size() * (glm::dvec2(i, j) / static_cast<double>(steps));
+      largest = std::max(largest, std::abs(georeference.scale(p) - 1.0));
+    }
+  }
+  return largest;
+}
+
+}
+
+Georeference placeGrid(FileGrid& file, const std::string& crs)
+{
+  const Rectangle extent = file.extent();
+  const glm::dvec2 middle = 0.5 * (extent.low + extent.high);
+  const double turned = std::remainder(middle.x, 360.0);
+  const Georeference georeference(crs, glm::dvec2(turned, std::clamp(middle.y, -90.0, 90.0)), extent.low);
+  if (georeference.kind() != GeoreferenceKind::Geographic)
+  {
+    return georeference;
+  }
+  const std::string coordinates = "its coordinates, " + text(extent.low.x, 9) + " to " + text(extent.high.x, 9) +
+    " and " + text(extent.low.y, 9) + " to " + text(extent.high.y, 9) + ",";
+  if (std::abs(extent.low.y) > 90.0 || std::abs(extent.high.y) > 90.0 || extent.low.x < -360.0 || extent.high.x > 540.0)
+  {
+    throw std::runtime_error(coordinates + " are no longitude and latitude, as CRS '" + georeference.crsName() +
+      "' would have them; say --crs");
+  }
+  if (extent.size().x > WidestScene || extent.size().y > WidestScene)
+  {
+    throw std::runtime_error(
+      coordinates + " span more than " + text(WidestScene) + " degrees, too much for one plane map; use --crop");
+  }
+  file.first.x += turned - middle.x;
+  return georeference;
+}
+
+glm::dvec2 cellSize(const FileGrid& file, const Georeference& georeference)
+{
+  const glm::dvec2 middle = 0.5 * file.lastIndex();
+  const glm::dvec2 column(0.5, 0.0);
+  const glm::dvec2 row(0.0, 0.5);
+  const glm::dvec2 along = fileToPoint(georeference, file, middle + column) - fileToPoint(georeference, file, middle - column);
+  const glm::dvec2 across = fileToPoint(georeference, file, middle + row) - fileToPoint(georeference, file, middle - row);
+  return { std::hypot(along.x, along.y), std::hypot(across.x, across.y) };
+}
+
+MetricGrid toMetres(const FileGrid& file, const Georeference& georeference, const std::optional<double>& resample,
+  const Execution& execution)
+{
+  MetricGrid result;
+  result.georeference = georeference;
+  const bool geographic = georeference.kind() == GeoreferenceKind::Geographic;
+  const bool straight = !geographic && file.axisAligned();
+  if (straight && !resample)
+  {
+    const double unit = georeference.metresPerUnit();
+    result.grid = file.values;
+    result.grid.origin = glm::dvec2(0.0);
+    result.grid.spacing = glm::dvec2(file.columnStep.x, file.rowStep.y) * unit;
+    return result;
+  }
+
+  // The axis of the result that the rows of the file lie nearest to takes their spacing.
+  glm::dvec2 spacing = cellSize(file, georeference);
+  const glm::dvec2 middle = 0.5 * file.lastIndex();
+  const glm::dvec2 along =
+    fileToPoint(georeference, file, middle + glm::dvec2(0.5, 0.0)) - fileToPoint(georeference, file, middle);
+  if (std::abs(along.y) > std::abs(along.x))
+  {
+    std::swap(spacing.x, spacing.y);
+  }
+  if (resample)
+  {
+    spacing = glm::dvec2(*resample);
+  }
+  const Rectangle box = inscribedRectangle(outline(file, georeference));
+  result.grid = layOut(box, spacing, !straight);
+  result.resampled = true;
+  sample(result.grid, file, georeference, execution);
+  if (geographic)
+  {
+    result.scaleError = largestScaleError(result.grid.bounds(), georeference);
+  }
+  else
+  {
+    const glm::dvec2 origin = georeference.toFile(result.grid.origin);
+    result.georeference = Georeference(georeference.crs(), glm::dvec2(0.0), origin);
+    result.grid.origin = glm::dvec2(0.0);
+  }
+  return result;
+}
+
+}

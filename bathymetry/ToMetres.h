@@ -1,0 +1,39 @@
+#pragma once
+
+#include "bathymetry/FileGrid.h"
+#include "bathymetry/Georeference.h"
+#include "sim/Execution.h"
+
+namespace swellray
+{
+
+/** A grid in metres and where it lies. */
+struct MetricGrid
+{
+  ElevationGrid grid;
+  Georeference georeference;
+  bool resampled = false;
+  double scaleError = 0.0; ///< largest |map length / true length - 1| on the grid
+};
+
+/**
+ * Georeference of a file's grid: geographic grids are centred on the scene, others have their origin at the low
+ * corner of their extent. Longitudes of the grid are turned so that its centre lies within -180 to 180.
+ *
+ * @param crs WKT, or empty for local metres
+ * @throws std::runtime_error a CRS that cannot be understood or does not fit the coordinates
+ */
+Georeference placeGrid(FileGrid& file, const std::string& crs);
+
+/** Distances of nodes at the centre of a grid, m: along a row, along a column. */
+glm::dvec2 cellSize(const FileGrid& file, const Georeference& georeference);
+
+/**
+ * Bring a grid to metres (rules: readSeafloor()).
+ * @param resample distance of nodes, m; the grid's own where not set
+ * @throws std::runtime_error where the result would have fewer than 4 x 4 nodes or too many
+ */
+MetricGrid toMetres(const FileGrid& file, const Georeference& georeference, const std::optional<double>& resample,
+  const Execution& execution = {});
+
+}
