@@ -127,11 +127,10 @@ Form planeForm()
 
 Form deanForm()
 {
-  return { { "dean", "equilibrium beach", "h = A x^(2/3); a finite slope where h < min-depth",
-             "Bruun 1954; Dean 1977",
+  return { { "dean", "equilibrium beach", "h = A x^(2/3); a finite slope where h < min-depth", "Bruun 1954; Dean 1977",
              with({ number("scale", "A", "m^(1/3)", 0.12, 1e-4, 10.0, "profile scale, of the grain size"),
-               number("min-depth", "", "m", 0.05, 1e-4, 10.0, "depth down to which the formula holds"),
-               offshoreFloor(), facing() },
+                    number("min-depth", "", "m", 0.05, 1e-4, 10.0, "depth down to which the formula holds"),
+                    offshoreFloor(), facing() },
                edges(BeachScene)),
              90.0, 9.0 },
     [](const FormValues& v) -> std::unique_ptr<Seafloor> {
@@ -147,13 +146,13 @@ Form deanForm()
 
 Form barForm()
 {
-  return { { "bar", "plane beach with a longshore bar", "h = s x - hb exp(-((x - xb)/wb)^2)", "",
-             with({ slope(0.02),
-               number("bar-height", "hb", "m", 2.0, 0.0, LargestDepth, "height of the bar above the slope"),
-               length("bar-position", "xb", 200.0, "distance of its crest from the shoreline"),
-               length("bar-width", "wb", 40.0, "its half width at 1/e of its height"), offshoreFloor(), facing() },
-               edges(BeachScene)),
-             90.0, 9.0 },
+  return {
+    { "bar", "plane beach with a longshore bar", "h = s x - hb exp(-((x - xb)/wb)^2)", "",
+      with({ slope(0.02), number("bar-height", "hb", "m", 2.0, 0.0, LargestDepth, "height of the bar above the slope"),
+             length("bar-position", "xb", 200.0, "distance of its crest from the shoreline"),
+             length("bar-width", "wb", 40.0, "its half width at 1/e of its height"), offshoreFloor(), facing() },
+        edges(BeachScene)),
+      90.0, 9.0 },
     [](const FormValues& v) -> std::unique_ptr<Seafloor> {
       const double floor = v["offshore-depth"];
       const double atBar = v["slope"] * v["bar-position"];
@@ -164,7 +163,8 @@ Form barForm()
       }
       return std::make_unique<BarBeach>(v.boundsFacing(), v["facing"], v["slope"],
         BarBeach::Bar{ v["bar-height"], v["bar-position"], v["bar-width"] }, floor);
-    } };
+    }
+  };
 }
 
 std::unique_ptr<Seafloor> makeCoast(const FormValues& v, double reach, double farthestLandward)
@@ -183,8 +183,8 @@ Form bayForm()
   return { { "bay", "bay between two capes",
              "h = s (d + xs tanh(d/e)), d = x - xs(y), xs = -a (1 - t^2) exp(-t^2/2), t = y/w", "",
              with({ slope(0.08), length("indent", "a", 25.0, "how far the bay cuts into the land"),
-               length("sigma", "w", 16.0, "half width of the bay along the shore"),
-               length("fade", "e", 40.0, "distance offshore over which the contours straighten"), facing() },
+                    length("sigma", "w", 16.0, "half width of the bay along the shore"),
+                    length("fade", "e", 40.0, "distance offshore over which the contours straighten"), facing() },
                edges({ { -35.0, -50.0 }, { 65.0, 50.0 } })),
              90.0, 3.0 },
     [](const FormValues& v) { return makeCoast(v, -v["indent"], v["indent"]); } };
@@ -195,8 +195,8 @@ Form headlandForm()
   return { { "headland", "headland between two coves",
              "h = s (d + xs tanh(d/e)), d = x - xs(y), xs = a (1 - t^2) exp(-t^2/2), t = y/w", "",
              with({ slope(0.08), length("reach", "a", 25.0, "how far the headland stands out"),
-               length("sigma", "w", 16.0, "its half width along the shore"),
-               length("fade", "e", 40.0, "distance offshore over which the contours straighten"), facing() },
+                    length("sigma", "w", 16.0, "its half width along the shore"),
+                    length("fade", "e", 40.0, "distance offshore over which the contours straighten"), facing() },
                edges({ { -20.0, -50.0 }, { 80.0, 50.0 } })),
              90.0, 3.0 },
     [](const FormValues& v) { return makeCoast(v, v["reach"], CurvedCoast::coveShare() * v["reach"]); } };
@@ -207,10 +207,10 @@ Form islandForm()
   return { { "island", "circular island, r from its centre",
              "conical: h = s (r - rs) for r < rt; parabolic: h = h0 (r/R)^2 for r < R; flat beyond", "",
              with({ kind({ "conical", "parabolic" }), onlyFor("conical", slope(0.05)),
-               onlyFor("conical", length("shore-radius", "rs", 200.0, "radius of the shoreline")),
-               onlyFor("conical", length("toe-radius", "rt", 1000.0, "radius where the slope ends")),
-               onlyFor("parabolic", depth("depth", "h0", 30.0, "depth around the island")),
-               onlyFor("parabolic", length("radius", "R", 1200.0, "radius where the slope ends")) },
+                    onlyFor("conical", length("shore-radius", "rs", 200.0, "radius of the shoreline")),
+                    onlyFor("conical", length("toe-radius", "rt", 1000.0, "radius where the slope ends")),
+                    onlyFor("parabolic", depth("depth", "h0", 30.0, "depth around the island")),
+                    onlyFor("parabolic", length("radius", "R", 1200.0, "radius where the slope ends")) },
                with(centre(), edges(IslandScene))),
              270.0, 12.0 },
     [](const FormValues& v) -> std::unique_ptr<Seafloor> {
@@ -233,9 +233,9 @@ Form shoalForm()
   return { { "shoal", "circular shoal on a flat floor, r from its centre",
              "gauss: h = h0 - a exp(-r^2/(2 sigma^2)); poly3: h = h0 - a (1 - (r/R)^2)^3 for r < R, h0 beyond", "",
              with({ kind({ "gauss", "poly3" }), depth("depth", "h0", 20.0, "depth around the shoal"),
-               number("height", "a", "m", 14.0, 0.0, LargestDepth, "height of the shoal above the floor"),
-               onlyFor("gauss", length("sigma", "sg", 300.0, "its standard deviation")),
-               onlyFor("poly3", length("radius", "R", 750.0, "radius of its rim")) },
+                    number("height", "a", "m", 14.0, 0.0, LargestDepth, "height of the shoal above the floor"),
+                    onlyFor("gauss", length("sigma", "sg", 300.0, "its standard deviation")),
+                    onlyFor("poly3", length("radius", "R", 750.0, "radius of its rim")) },
                with(centre(), edges(IslandScene))),
              270.0, 10.0 },
     [](const FormValues& v) -> std::unique_ptr<Seafloor> {
@@ -254,11 +254,12 @@ Form berkhoffForm()
              "h = max(h0 - s (u + toe), min-depth) for u > -toe, h0 before; less 0.5 sqrt(1 - (u/3.75)^2 - (v/5)^2) - "
              "0.3 inside (u/3)^2 + (v/4)^2 = 1; u = x cos - y sin, v = x sin + y cos of the rotation",
              "Berkhoff, Booij and Radder 1982",
-             with({ depth("depth", "h0", 0.45, "depth before the slope"), slope(0.02),
-               number("toe", "", "m", 5.82, 0.0, 1e3, "distance from the toe of the slope to the shoal's centre"),
-               number("min-depth", "", "m", 0.07, 0.0, LargestDepth,
-                 "depth where the slope ends at a flat floor; 0: it goes on above water"),
-               number("rotation", "", "deg", 20.0, -360.0, 360.0, "clockwise angle from the x axis to the slope's") },
+             with(
+               { depth("depth", "h0", 0.45, "depth before the slope"), slope(0.02),
+                 number("toe", "", "m", 5.82, 0.0, 1e3, "distance from the toe of the slope to the shoal's centre"),
+                 number("min-depth", "", "m", 0.07, 0.0, LargestDepth,
+                   "depth where the slope ends at a flat floor; 0: it goes on above water"),
+                 number("rotation", "", "deg", 20.0, -360.0, 360.0, "clockwise angle from the x axis to the slope's") },
                edges({ { -10.0, -10.0 }, { 12.0, 10.0 } })),
              270.0, 1.0 },
     [](const FormValues& v) -> std::unique_ptr<Seafloor> {
@@ -298,7 +299,7 @@ Form babbageForm()
   return { { "babbage", "1 km beach facing north with cliffs, a headland and an offshore shoal",
              "a coarse table of elevations refined by a spline", "after the Babbage Beach of Peachey 1986",
              with({ number("offshore-depth", "", "m", BabbageBeach::offshoreDepth(), 1.0, 1000.0,
-               "mean depth along the seaward edge; all depths scale with it") },
+                    "mean depth along the seaward edge; all depths scale with it") },
                sides),
              0.0, 6.0 },
     [](const FormValues& v) -> std::unique_ptr<Seafloor> {

@@ -6,8 +6,7 @@
 namespace swellray
 {
 
-BarBeach::BarBeach(
-  const Rectangle& bounds, double bearing, double slope, const Bar& bar, double offshoreDepth)
+BarBeach::BarBeach(const Rectangle& bounds, double bearing, double slope, const Bar& bar, double offshoreDepth)
   : StraightBeach(bounds, bearing)
   , Slope(slope)
   , Shape(bar)

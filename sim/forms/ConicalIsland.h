@@ -19,8 +19,7 @@ public:
    * @param shoreRadius rs, m, > 0
    * @param toeRadius rt, m, > rs
    */
-  ConicalIsland(
-    const Rectangle& bounds, const glm::dvec2& centre, double slope, double shoreRadius, double toeRadius);
+  ConicalIsland(const Rectangle& bounds, const glm::dvec2& centre, double slope, double shoreRadius, double toeRadius);
 
 protected:
   Profile profile(double w) const override;

@@ -6,8 +6,8 @@ namespace swellray
 {
 
 /**
- * Shoal cut from an ellipsoid, on a flat floor or a slope. In axes u, v turned clockwise by an angle from x, y, with their
- * origin at the shoal's centre, the floor has
+ * Shoal cut from an ellipsoid, on a flat floor or a slope. In axes u, v turned clockwise by an angle from x, y, with
+ * their origin at the shoal's centre, the floor has
  *
  *   h = h0                          u < -toe
  *   h = h0 - s (u + toe)            beyond, down to hmin, and flat from there (hmin > 0)
@@ -32,9 +32,9 @@ public:
 
   struct Ellipsoid
   {
-    double height = 1.0;           ///< b, m, > 0
-    double sunk = 0.0;             ///< c, m, 0 <= c < b
-    glm::dvec2 semiAxes{ 1.0 };    ///< A, B, m, > 0
+    double height = 1.0;        ///< b, m, > 0
+    double sunk = 0.0;          ///< c, m, 0 <= c < b
+    glm::dvec2 semiAxes{ 1.0 }; ///< A, B, m, > 0
   };
 
   EllipsoidShoal(const Rectangle& bounds, const Floor& floor, const Ellipsoid& shoal);

@@ -51,20 +51,28 @@ std::string errorOf(const std::string& spec)
 TEST(BuiltinSeafloor, planeBeach)
 {
   const Rectangle box{ { -500.0, -900.0 }, { 2000.0, 900.0 } };
-  expectDepth("plane", [](double x, double) { return 0.02 * x; }, box);
-  expectDepth("plane:slope=0.05", [](double x, double) { return 0.05 * x; }, box);
-  expectDepth("plane:facing=0", [](double, double y) { return 0.02 * y; }, box);
-  expectDepth("plane:facing=270", [](double x, double) { return -0.02 * x; }, box);
-  expectDepth("plane:facing=225,s=0.01", [](double x, double y) { return -0.01 * (x + y) * std::sqrt(0.5); }, box);
-  expectDepth("plane:offshore-depth=12", [](double x, double) { return std::min(0.02 * x, 12.0); }, box);
+  expectDepth(
+    "plane", [](double x, double) { return 0.02 * x; }, box);
+  expectDepth(
+    "plane:slope=0.05", [](double x, double) { return 0.05 * x; }, box);
+  expectDepth(
+    "plane:facing=0", [](double, double y) { return 0.02 * y; }, box);
+  expectDepth(
+    "plane:facing=270", [](double x, double) { return -0.02 * x; }, box);
+  expectDepth(
+    "plane:facing=225,s=0.01", [](double x, double y) { return -0.01 * (x + y) * std::sqrt(0.5); }, box);
+  expectDepth(
+    "plane:offshore-depth=12", [](double x, double) { return std::min(0.02 * x, 12.0); }, box);
 }
 
 TEST(BuiltinSeafloor, deanBeach)
 {
   // x = 0.5 m is 0.05 m deep at A = 0.08.
   const Rectangle wet{ { 0.5, -100.0 }, { 3000.0, 100.0 } };
-  expectDepth("dean:A=0.08", [](double x, double) { return 0.08 * std::pow(x, 2.0 / 3.0); }, wet);
-  expectDepth("dean:scale=0.12,x1=3500", [](double x, double) { return 0.12 * std::pow(x, 2.0 / 3.0); }, wet);
+  expectDepth(
+    "dean:A=0.08", [](double x, double) { return 0.08 * std::pow(x, 2.0 / 3.0); }, wet);
+  expectDepth(
+    "dean:scale=0.12,x1=3500", [](double x, double) { return 0.12 * std::pow(x, 2.0 / 3.0); }, wet);
 }
 
 TEST(BuiltinSeafloor, deanBeachRisesAboveWater)
@@ -80,14 +88,39 @@ TEST(BuiltinSeafloor, deanBeachRisesAboveWater)
   EXPECT_GT(bed->elevation({ -10.0, 0.0 }), 0.5);
 }
 
+TEST(BuiltinSeafloor, joinsInsideAFormKeepTwoDerivatives)
+{
+  const struct
+  {
+    const char* spec;
+    double join; // m along +x
+  } joins[] = { { "dean:A=0.08,min-depth=0.32", 8.0 }, { "island:s=0.1,rs=100,rt=500", 50.0 } };
+  // A billionth of the distance apart, third derivatives change the second ones by no more than that.
+  constexpr double Apart = 1e-9;
+  constexpr double Tolerance = 1e-7;
+  for (const auto& [spec, join] : joins)
+  {
+    SCOPED_TRACE(spec);
+    const std::unique_ptr<Seafloor> bed = makeBuiltinSeafloor(spec);
+    const BedSample inside = bed->bed({ join * (1.0 - Apart), 0.0 });
+    const BedSample outside = bed->bed({ join * (1.0 + Apart), 0.0 });
+    const double slope = glm::length(outside.gradient);
+    EXPECT_NEAR(inside.elevation, outside.elevation, Tolerance * slope * join);
+    EXPECT_NEAR(inside.gradient.x, outside.gradient.x, Tolerance * slope);
+    EXPECT_NEAR(inside.xx, outside.xx, Tolerance * slope / join);
+    EXPECT_NEAR(inside.yy, outside.yy, Tolerance * slope / join);
+  }
+}
+
 TEST(BuiltinSeafloor, barBeach)
 {
   const Rectangle box{ { -100.0, -100.0 }, { 1500.0, 100.0 } };
-  expectDepth("bar:s=0.02,hb=2,xb=200,wb=40",
+  expectDepth(
+    "bar:s=0.02,hb=2,xb=200,wb=40",
     [](double x, double) { return 0.02 * x - 2.0 * std::exp(-(x - 200.0) * (x - 200.0) / 1600.0); }, box);
-  expectDepth("bar:slope=0.03,bar-height=1,bar-position=120,bar-width=30,offshore-depth=4",
-    [](double x, double) { return std::min(0.03 * x - std::exp(-std::pow((x - 120.0) / 30.0, 2)), 4.0); },
-    box);
+  expectDepth(
+    "bar:slope=0.03,bar-height=1,bar-position=120,bar-width=30,offshore-depth=4",
+    [](double x, double) { return std::min(0.03 * x - std::exp(-std::pow((x - 120.0) / 30.0, 2)), 4.0); }, box);
 }
 
 TEST(BuiltinSeafloor, bayAndHeadland)
@@ -102,8 +135,8 @@ TEST(BuiltinSeafloor, bayAndHeadland)
   expectDepth("bay", coast(0.08, -25.0, 16.0, 40.0), box);
   expectDepth("headland", coast(0.08, 25.0, 16.0, 40.0), box);
   const Depth turned = coast(0.05, -10.0, 12.0, 20.0);
-  expectDepth("bay:facing=0,slope=0.05,indent=10,sigma=12,fade=20",
-    [&turned](double x, double y) { return turned(y, -x); }, box);
+  expectDepth(
+    "bay:facing=0,slope=0.05,indent=10,sigma=12,fade=20", [&turned](double x, double y) { return turned(y, -x); }, box);
 }
 
 TEST(BuiltinSeafloor, bayAndHeadlandAreAHundredMetresSquareWithStraightWaterOffshore)
@@ -141,14 +174,16 @@ TEST(BuiltinSeafloor, islands)
   EXPECT_LT(bed->elevation({ 0.0, 0.0 }), 10.0);
   EXPECT_GT(bed->elevation({ 0.0, 0.0 }), 5.0);
 
-  expectDepth("island:kind=parabolic,h0=30,R=1200",
+  expectDepth(
+    "island:kind=parabolic,h0=30,R=1200",
     [](double x, double y) { return 30.0 * std::min((x * x + y * y) / 1.44e6, 1.0); }, box);
 }
 
 TEST(BuiltinSeafloor, shoals)
 {
   const Rectangle box{ { -1500.0, -1400.0 }, { 1500.0, 1400.0 } };
-  expectDepth("shoal:kind=gauss,h0=20,a=14,sigma=300",
+  expectDepth(
+    "shoal:kind=gauss,h0=20,a=14,sigma=300",
     [](double x, double y) { return 20.0 - 14.0 * std::exp(-(x * x + y * y) / 180000.0); }, box);
   expectDepth("shoal:depth=60,height=50,sigma=1000,xc=5000,yc=5000,x0=0,y0=0,x1=10000,y1=10000",
     [](double x, double y) { return 60.0 - 50.0 * std::exp(-(std::pow(x - 5e3, 2) + std::pow(y - 5e3, 2)) / 2e6); },
@@ -261,8 +296,9 @@ TEST(BuiltinSeafloor, registryIsCompleteAndDocumented)
       EXPECT_EQ(keys.count(edge), 1u);
     }
   }
-  EXPECT_THAT(names, testing::UnorderedElementsAre("plane", "dean", "bar", "bay", "headland", "island", "shoal",
-                       "berkhoff", "vincent-briggs", "babbage"));
+  EXPECT_THAT(names,
+    testing::UnorderedElementsAre(
+      "plane", "dean", "bar", "bay", "headland", "island", "shoal", "berkhoff", "vincent-briggs", "babbage"));
 }
 
 TEST(BuiltinSeafloor, everyDefaultHasWaterWhereItsWavesComeFrom)

@@ -18,9 +18,9 @@ struct FormCase
 {
   const char* name;
   const char* spec;
-  double step;         // m, of central differences: about a thousandth of the finest shape of the form
+  double step; // m, of central differences: about a thousandth of the finest shape of the form
   unsigned kinkCount;
-  bool gradientJumps;  // at its kinks
+  bool gradientJumps; // at its kinks
 };
 
 void PrintTo(const FormCase& form, std::ostream* out)
@@ -205,8 +205,7 @@ TEST_P(Forms, areContinuousAcrossTheirKinks)
       this->Bed->kinkLevel(i, p, normal);
       const double length = glm::length(normal);
       ASSERT_GT(length, 0.0);
-      const glm::dvec2 byDifference(
-        this->Bed->kinkLevel(i, p + glm::dvec2(step, 0.0), unused) -
+      const glm::dvec2 byDifference(this->Bed->kinkLevel(i, p + glm::dvec2(step, 0.0), unused) -
           this->Bed->kinkLevel(i, p - glm::dvec2(step, 0.0), unused),
         this->Bed->kinkLevel(i, p + glm::dvec2(0.0, step), unused) -
           this->Bed->kinkLevel(i, p - glm::dvec2(0.0, step), unused));
