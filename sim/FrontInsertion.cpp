@@ -17,10 +17,12 @@ namespace swellray
 namespace
 {
 
-// Neighbours that started this much closer (in spacings) than the launched rays are refined no further: between rays
-// on the water, and at the edge of a shadow, where the lee rays take over.
-constexpr double FinestGap = 1.0 / 1024.0;
+// Neighbours that started this much closer (in spacings) than the launched rays are refined no further. Between rays
+// on the water: what such a tube carries, spread over more than the spacing, is below 2 % of the incident energy.
+// At the edge of a shadow the lee rays take over. Between lee rays only rounding sets a limit.
+constexpr double FinestGap = 1.0 / 64.0;
 constexpr double FinestShadowGap = 0.5;
+constexpr double FinestLeeGap = 1e-9;
 
 // Each pass over a front halves the gaps that are too wide.
 constexpr int InsertionPasses = 12;
@@ -44,7 +46,8 @@ bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
   if (isOnWater(a.state) && isOnWater(b.state))
   {
     kind = retrace ? Insertion::Retrace : Insertion::Interpolate;
-    return !(a.state == RayState::Flat && b.state == RayState::Flat) && gap > FinestGap;
+    const double finest = a.info.lee || b.info.lee ? FinestLeeGap : FinestGap;
+    return !(a.state == RayState::Flat && b.state == RayState::Flat) && gap > finest;
   }
   if (isOnWater(a.state) == isOnWater(b.state))
   {
@@ -63,7 +66,7 @@ bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
     return true;
   }
   kind = Insertion::Lee;
-  return this->Options.leeRays && water.state != RayState::Flat && gap > FinestGap * FinestShadowGap;
+  return this->Options.leeRays && water.state != RayState::Flat && gap > FinestLeeGap;
 }
 
 RayStart FrontMarch::startBetween(const Ray& a, const Ray& b, const glm::dvec2& direction) const
@@ -114,6 +117,11 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
       return;
     }
     start = this->startBetween(a, b, direction / size);
+    if (this->Medium.depth(start.position) < this->Medium.agroundDepth ||
+      this->Medium.seafloor->isHole(start.position))
+    {
+      return;
+    }
   }
   ray.startPhase = start.phase;
   ray.measure = this->measureOf(start);

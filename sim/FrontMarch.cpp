@@ -21,8 +21,15 @@ namespace
 constexpr double FewestRays = 100.0;
 constexpr double MostRays = 2000.0;
 
+// Share of the incident height below which a wave is flat.
+constexpr double FlatShare = 0.05;
+
 // Cells a wavelength below which a grid is too coarse for the wave.
 constexpr double FewestCells = 5.0;
+
+// Cosine of the turn from the incident direction (120 degrees) at which a walk along the shore ends: a crest does not
+// wrap around an island for ever.
+constexpr double LargestTurn = -0.5;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
@@ -218,7 +225,7 @@ void FrontMarch::walkOn(Ray& ray, double target) const
   const double ahead = std::max(0.0, target - ray.measure);
   const double k = ray.walk.wavenumber();
   const double distance = this->Measure == FrontMeasure::Phase ? ahead / k : ahead;
-  if (!ray.walk.advance(distance))
+  if (!ray.walk.advance(distance) || glm::dot(ray.walk.direction(), this->Wave.direction()) < LargestTurn)
   {
     ray.state = RayState::Dead;
     return;
@@ -438,10 +445,7 @@ void FrontMarch::measureSpacing()
 
 void FrontMarch::markFlat()
 {
-  if (!(this->Options.flatHeight > 0.0))
-  {
-    return;
-  }
+  const double flatHeight = this->Options.flatHeight.value_or(FlatShare * this->Wave.height);
   const double groupSpeed0 = this->Wave.groupSpeed();
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
@@ -455,7 +459,7 @@ void FrontMarch::markFlat()
     const double groupSpeed =
       waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity).groupSpeed;
     const double height = this->Wave.height * std::sqrt(groupSpeed0 / (groupSpeed * width));
-    ray.state = height < this->Options.flatHeight ? RayState::Flat : RayState::Alive;
+    ray.state = height < flatHeight ? RayState::Flat : RayState::Alive;
   }
 }
 

@@ -57,9 +57,9 @@ void TraceOptions::validate() const
   {
     throw std::invalid_argument("tolerance must be at most 0.1, not " + number(this->tolerance));
   }
-  if (!(this->flatHeight >= 0.0) || !std::isfinite(this->flatHeight))
+  if (this->flatHeight && (!(*this->flatHeight >= 0.0) || !std::isfinite(*this->flatHeight)))
   {
-    throw std::invalid_argument("flat height must be 0 m or above, not " + number(this->flatHeight));
+    throw std::invalid_argument("flat height must be 0 m or above, not " + number(*this->flatHeight));
   }
   if (this->agroundDepth)
   {

@@ -35,7 +35,7 @@ struct TraceOptions
   double tolerance = 1e-8;           ///< relative, per step, > 0
   InsertionRule insertion = InsertionRule::Retrace;
   bool leeRays = true;               ///< model diffraction into the lee by inserted rays
-  double flatHeight = 0.0;           ///< height below which a ray is FLAT, m, >= 0
+  std::optional<double> flatHeight;  ///< height below which a ray is FLAT, m, >= 0; 5 % of the incident height
   std::optional<double> agroundDepth;///< depth at which a ray is aground, m, > 0; 5 % of the incident height
   EdgeRule edge = EdgeRule::Contours;
   std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours
