@@ -1,0 +1,129 @@
+#include "vtkSwellWaveHeight.h"
+
+#include "AlgorithmExecution.h"
+#include "FieldData.h"
+#include "RayArrays.h"
+#include "sim/WaveHeight.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <exception>
+
+vtkStandardNewMacro(vtkSwellWaveHeight);
+
+namespace
+{
+
+// Rays between two looks at the abort flag.
+constexpr std::size_t RaysAtOnce = 4096;
+
+swellray::IncidentWave tracedWave(vtkPolyData* rays)
+{
+  const char* tracer = "vtkSwellRayTracer";
+  swellray::IncidentWave wave;
+  wave.period = swellray::requireFieldValue(rays, "Period", tracer);
+  wave.directionFrom = swellray::requireFieldValue(rays, "DirectionFrom", tracer);
+  wave.height = swellray::requireFieldValue(rays, "WaveHeight", tracer);
+  wave.offshoreDepth = swellray::requireFieldValue(rays, "OffshoreDepth", tracer);
+  wave.gravity = swellray::requireFieldValue(rays, "Gravity", tracer);
+  return wave;
+}
+
+}
+
+int vtkSwellWaveHeight::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  try
+  {
+    const swellray::IncidentWave wave = tracedWave(input);
+    wave.validate();
+    swellray::HeightOptions options;
+    options.amplitude = static_cast<swellray::AmplitudeRule>(this->AmplitudeRule);
+    options.breaking = static_cast<swellray::BreakingRule>(this->BreakingRule);
+    options.gamma = this->Gamma;
+    options.maxRefraction = this->MaxRefraction;
+    options.validate();
+
+    const std::vector<std::int64_t> offsets = swellray::rayOffsets(input);
+    const std::size_t rays = offsets.size() - 1;
+    const vtkIdType points = input->GetNumberOfPoints();
+    vtkPointData* in = input->GetPointData();
+    const auto depth = swellray::requireDoubles(in, "Depth", points);
+    const auto wavenumber = swellray::requireDoubles(in, "Wavenumber", points);
+    const auto groupSpeed = swellray::requireDoubles(in, "GroupSpeed", points);
+    const auto krSpacing = swellray::requireDoubles(in, "KrSpacing", points);
+    const auto krTube = swellray::requireDoubles(in, "KrTube", points);
+    const auto state = swellray::requireBytes(in, "RayState", points);
+    swellray::RayProfile all;
+    all.depth = depth->GetPointer(0);
+    all.wavenumber = wavenumber->GetPointer(0);
+    all.groupSpeed = groupSpeed->GetPointer(0);
+    all.krSpacing = krSpacing->GetPointer(0);
+    all.krTube = krTube->GetPointer(0);
+    all.state = state->GetPointer(0);
+
+    output->ShallowCopy(input);
+    vtkPointData* out = output->GetPointData();
+    double* refraction = swellray::addArray<vtkDoubleArray>(out, "RefractionCoefficient", points);
+    double* height = swellray::addArray<vtkDoubleArray>(out, "WaveHeight", points);
+    double* energyFlux = swellray::addArray<vtkDoubleArray>(out, "EnergyFlux", points);
+    double* orbitalVelocity = swellray::addArray<vtkDoubleArray>(out, "OrbitalVelocity", points);
+    unsigned char* breaking = swellray::addArray<vtkUnsignedCharArray>(out, "Breaking", points);
+
+    const swellray::Execution execution = swellray::makeExecution(this);
+    for (std::size_t first = 0; first < rays; first += RaysAtOnce)
+    {
+      const std::size_t count = std::min(RaysAtOnce, rays - first);
+      execution.forRange(count, [&](std::size_t begin, std::size_t end) {
+        swellray::RayHeights heights;
+        for (std::size_t ray = first + begin; ray < first + end; ++ray)
+        {
+          const std::int64_t at = offsets[ray];
+          swellray::RayProfile profile = all;
+          profile.count = static_cast<std::size_t>(offsets[ray + 1] - at);
+          profile.depth += at;
+          profile.wavenumber += at;
+          profile.groupSpeed += at;
+          profile.krSpacing += at;
+          profile.krTube += at;
+          profile.state += at;
+          swellray::computeHeights(profile, wave, options, heights);
+          std::copy(heights.refraction.begin(), heights.refraction.end(), refraction + at);
+          std::copy(heights.height.begin(), heights.height.end(), height + at);
+          std::copy(heights.energyFlux.begin(), heights.energyFlux.end(), energyFlux + at);
+          std::copy(heights.orbitalVelocity.begin(), heights.orbitalVelocity.end(), orbitalVelocity + at);
+          std::copy(heights.breaking.begin(), heights.breaking.end(), breaking + at);
+        }
+      });
+      if (!execution.report(static_cast<double>(first + count) / static_cast<double>(rays)))
+      {
+        output->Initialize();
+        return 1;
+      }
+    }
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkSwellWaveHeight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AmplitudeRule: " << (this->AmplitudeRule == TUBE ? "tube" : "spacing") << "\n";
+  os << indent << "BreakingRule: " << (this->BreakingRule == GAMMA_BREAKING ? "gamma" : "none") << "\n";
+  os << indent << "Gamma: " << this->Gamma << "\n";
+  os << indent << "MaxRefraction: " << this->MaxRefraction << "\n";
+}
