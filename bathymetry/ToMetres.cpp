@@ -76,26 +76,80 @@ ElevationGrid layOut(const Rectangle& box, const glm::dvec2& spacing, bool centr
   return grid;
 }
 
+// Places of the nodes of one row, in nodes of the file. The map is computed at every few nodes and interpolated by
+// cubics between them: over knots this far apart it departs from a cubic by less than a micrometre.
+class RowPlaces
+{
+public:
+  RowPlaces(const ElevationGrid& grid, const FileGrid& file, const Georeference& georeference)
+    : Grid(grid)
+    , File(file)
+    , Place(georeference)
+    , Geographic(georeference.kind() == GeoreferenceKind::Geographic)
+    , Middle(file.toFile(0.5 * file.lastIndex()).x)
+    , Stride(static_cast<std::size_t>(std::clamp(KnotDistance / grid.spacing.x, 1.0, 64.0)))
+    , Knots(grid.columns / this->Stride + 4)
+  {
+  }
+
+  void moveTo(std::size_t row)
+  {
+    for (std::size_t k = 0; k < this->Knots.size(); ++k)
+    {
+      const double column = (static_cast<double>(k) - 1.0) * static_cast<double>(this->Stride);
+      const glm::dvec2 offset = this->Grid.spacing * glm::dvec2(column, static_cast<double>(row));
+      this->Knots[k] = this->place(this->Grid.origin + offset);
+    }
+  }
+
+  glm::dvec2 operator()(std::size_t column) const
+  {
+    const glm::dvec2* p = &this->Knots[column / this->Stride];
+    const double t = static_cast<double>(column % this->Stride) / static_cast<double>(this->Stride);
+    const double before = t + 1.0;
+    const double after = t - 1.0;
+    const double last = t - 2.0;
+    return -t * after * last / 6.0 * p[0] + before * after * last / 2.0 * p[1] - before * t * last / 2.0 * p[2] +
+      before * t * after / 6.0 * p[3];
+  }
+
+private:
+  static constexpr double KnotDistance = 2000.0; // m
+
+  glm::dvec2 place(const glm::dvec2& point) const
+  {
+    glm::dvec2 coordinates = this->Place.toFile(point);
+    if (this->Geographic)
+    {
+      coordinates.x = this->Middle + std::remainder(coordinates.x - this->Middle, 360.0);
+    }
+    return this->File.toIndex(coordinates);
+  }
+
+  const ElevationGrid& Grid;
+  const FileGrid& File;
+  const Georeference& Place;
+  bool Geographic;
+  double Middle;
+  std::size_t Stride;
+  std::vector<glm::dvec2> Knots; // the first lies one stride before the row
+};
+
 void sample(ElevationGrid& grid, const FileGrid& file, const Georeference& georeference, const Execution& execution)
 {
   const SplineSeafloor spline(file.values);
   const glm::dvec2 last = file.lastIndex();
-  const bool geographic = georeference.kind() == GeoreferenceKind::Geographic;
-  const double middle = file.toFile(0.5 * last).x;
   execution.forRange(grid.rows,
     [&](std::size_t begin, std::size_t end)
     {
+      RowPlaces places(grid, file, georeference);
       BedSample bed;
       for (std::size_t row = begin; row < end; ++row)
       {
+        places.moveTo(row);
         for (std::size_t column = 0; column < grid.columns; ++column)
         {
-          glm::dvec2 place = georeference.toFile(grid.node(column, row));
-          if (geographic)
-          {
-            place.x = middle + std::remainder(place.x - middle, 360.0);
-          }
-          glm::dvec2 index = file.toIndex(place);
+          glm::dvec2 index = places(column);
           index = glm::dvec2(std::clamp(index.x, 0.0, last.x), std::clamp(index.y, 0.0, last.y));
           if (spline.isHole(index))
           {
