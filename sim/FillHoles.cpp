@@ -13,9 +13,11 @@ namespace
 // The influence of a node on the cubic spline falls by 0.268 a node: at 8 nodes from the data it is 3e-5.
 constexpr unsigned char BandWidth = 8;
 
-// Clamped band of 8 nodes: condition number about 1e3, so that this many steps gain at least the reduction below.
-constexpr int MaxSteps = 300;
-constexpr double Reduction = 1e-9;
+// A start from the coarser grid leaves little to do: more steps change the spline in the good cells by less than what
+// the continuation itself is uncertain by.
+constexpr int PlateSteps = 60;
+constexpr int CurvatureSteps = 60;
+constexpr double Reduction = 1e-6;
 
 struct Plane
 {
@@ -101,8 +103,213 @@ struct Level
   std::vector<unsigned char> hole;
 };
 
+// Hole nodes at most BandWidth nodes (in the larger of the two directions) from a known one.
+std::vector<std::size_t> bandNodes(const Level& level)
+{
+  const std::size_t columns = level.columns;
+  constexpr unsigned char far = BandWidth + 1;
+  std::vector<unsigned char> distance(level.hole.size());
+  std::transform(level.hole.begin(), level.hole.end(), distance.begin(), [](unsigned char h) { return h ? far : 0; });
+  // First along the rows, then along the columns: there and back.
+  const auto relax = [&](std::size_t n, std::size_t neighbour)
+  { distance[n] = std::min<unsigned char>(distance[n], static_cast<unsigned char>(distance[neighbour] + 1)); };
+  for (std::size_t j = 0; j < level.rows; ++j)
+  {
+    for (std::size_t i = 1; i < columns; ++i)
+    {
+      relax(j * columns + i, j * columns + i - 1);
+    }
+    for (std::size_t i = columns - 1; i > 0; --i)
+    {
+      relax(j * columns + i - 1, j * columns + i);
+    }
+  }
+  const auto relaxAround = [&](std::size_t j, std::size_t from)
+  {
+    for (std::size_t i = 0; i < columns; ++i)
+    {
+      const std::size_t low = i > 0 ? i - 1 : 0;
+      const std::size_t high = std::min(i + 1, columns - 1);
+      for (std::size_t a = low; a <= high; ++a)
+      {
+        relax(j * columns + i, from * columns + a);
+      }
+    }
+  };
+  for (std::size_t j = 1; j < level.rows; ++j)
+  {
+    relaxAround(j, j - 1);
+  }
+  for (std::size_t j = level.rows - 1; j > 0; --j)
+  {
+    relaxAround(j - 1, j);
+  }
+
+  std::vector<std::size_t> nodes;
+  for (std::size_t n = 0; n < distance.size(); ++n)
+  {
+    if (distance[n] > 0 && distance[n] <= BandWidth)
+    {
+      nodes.push_back(n);
+    }
+  }
+  return nodes;
+}
+
+// Binomial coefficients with alternating signs: the differences of order 0 to 3.
+constexpr double Difference[4][4] = { { 1, 0, 0, 0 }, { -1, 1, 0, 0 }, { 1, -2, 1, 0 }, { -1, 3, -3, 1 } };
+constexpr double Binomial[4][4] = { { 1, 0, 0, 0 }, { 1, 1, 0, 0 }, { 1, 2, 1, 0 }, { 1, 3, 3, 1 } };
+
+/**
+ * Sum of the squared differences of one order, sum_a binomial(order, a) |D_x^a D_y^(order - a) z|^2, over all that lie
+ * wholly in the grid: order 2 is the bending energy of a thin plate, order 3 the change of its curvature.
+ */
+class Roughness
+{
+public:
+  Roughness(int order, std::size_t columns, std::size_t rows)
+    : Order(order)
+    , Columns(static_cast<std::ptrdiff_t>(columns))
+    , Rows(static_cast<std::ptrdiff_t>(rows))
+  {
+    const int width = 2 * order + 1;
+    std::vector<double> stencil(static_cast<std::size_t>(width * width), 0.0);
+    forDifferences(
+      [&](int a, int b, int u, int v, double factor)
+      {
+        for (int q = 0; q <= b; ++q)
+        {
+          for (int p = 0; p <= a; ++p)
+          {
+            stencil[static_cast<std::size_t>((order - v + q) * width + order - u + p)] +=
+              factor * Difference[a][p] * Difference[b][q];
+          }
+        }
+      });
+    for (int y = -order; y <= order; ++y)
+    {
+      for (int x = -order; x <= order; ++x)
+      {
+        const double factor = stencil[static_cast<std::size_t>((y + order) * width + x + order)];
+        if (factor != 0.0)
+        {
+          this->Interior.push_back({ y * this->Columns + x, factor });
+        }
+      }
+    }
+  }
+
+  /** Half the derivative of the sum by the value of node n. */
+  double derivative(const std::vector<double>& z, std::size_t n) const
+  {
+    const std::ptrdiff_t i = static_cast<std::ptrdiff_t>(n) % this->Columns;
+    const std::ptrdiff_t j = static_cast<std::ptrdiff_t>(n) / this->Columns;
+    const double* node = z.data() + n;
+    double sum = 0.0;
+    if (i >= this->Order && j >= this->Order && i + this->Order < this->Columns && j + this->Order < this->Rows)
+    {
+      for (const Term& term : this->Interior)
+      {
+        sum += term.factor * node[term.offset];
+      }
+      return sum;
+    }
+    forDifferences(
+      [&](int a, int b, int u, int v, double factor)
+      {
+        if (i < u || j < v || i - u + a >= this->Columns || j - v + b >= this->Rows)
+        {
+          return;
+        }
+        const double* first = node - v * this->Columns - u;
+        for (int q = 0; q <= b; ++q)
+        {
+          for (int p = 0; p <= a; ++p)
+          {
+            sum += factor * Difference[a][p] * Difference[b][q] * first[q * this->Columns + p];
+          }
+        }
+      });
+    return sum;
+  }
+
+private:
+  struct Term
+  {
+    std::ptrdiff_t offset;
+    double factor;
+  };
+
+  // body(a, b, u, v, factor) for every difference of order a in x and b in y that has the node as its entry (u, v).
+  template <typename Body>
+  void forDifferences(const Body& body) const
+  {
+    for (int a = 0; a <= this->Order; ++a)
+    {
+      const int b = this->Order - a;
+      for (int v = 0; v <= b; ++v)
+      {
+        for (int u = 0; u <= a; ++u)
+        {
+          body(a, b, u, v, Binomial[this->Order][a] * Difference[a][u] * Difference[b][v]);
+        }
+      }
+    }
+  }
+
+  int Order;
+  std::ptrdiff_t Columns;
+  std::ptrdiff_t Rows;
+  std::vector<Term> Interior;
+};
+
+// Conjugate gradients on the roughness; only the nodes of the band move.
+void relax(Level& level, const std::vector<std::size_t>& band, int order, int maxSteps)
+{
+  const Roughness roughness(order, level.columns, level.rows);
+  std::vector<double> residual(band.size());
+  std::vector<double> product(band.size());
+  std::vector<double> direction(level.value.size(), 0.0);
+  double square = 0.0;
+  double scale = 0.0;
+  for (std::size_t m = 0; m < band.size(); ++m)
+  {
+    residual[m] = -roughness.derivative(level.value, band[m]);
+    direction[band[m]] = residual[m];
+    square += residual[m] * residual[m];
+    scale += level.value[band[m]] * level.value[band[m]];
+  }
+  const double target = std::max(Reduction * Reduction * square, 1e-28 * scale); // the second: rounding
+  for (int step = 0; step < maxSteps && square > target; ++step)
+  {
+    double curvature = 0.0;
+    for (std::size_t m = 0; m < band.size(); ++m)
+    {
+      product[m] = roughness.derivative(direction, band[m]);
+      curvature += direction[band[m]] * product[m];
+    }
+    if (!(curvature > 0.0))
+    {
+      return;
+    }
+    const double length = square / curvature;
+    double next = 0.0;
+    for (std::size_t m = 0; m < band.size(); ++m)
+    {
+      level.value[band[m]] += length * direction[band[m]];
+      residual[m] -= length * product[m];
+      next += residual[m] * residual[m];
+    }
+    for (std::size_t m = 0; m < band.size(); ++m)
+    {
+      direction[band[m]] = residual[m] + next / square * direction[band[m]];
+    }
+    square = next;
+  }
+}
+
 // Average the known nodes of every 2 x 2, fill what is left of that, and take the holes from there.
-void pushPull(Level& fine)
+void fill(Level& fine)
 {
   if (std::find(fine.hole.begin(), fine.hole.end(), 1) == fine.hole.end())
   {
@@ -137,7 +344,7 @@ void pushPull(Level& fine)
       }
     }
   }
-  pushPull(coarse);
+  fill(coarse);
 
   for (std::size_t j = 0; j < fine.rows; ++j)
   {
@@ -156,147 +363,7 @@ void pushPull(Level& fine)
       }
     }
   }
-}
-
-// Hole nodes at most BandWidth nodes (in the larger of the two directions) from a known one.
-std::vector<std::size_t> bandNodes(const ElevationGrid& grid, const std::vector<unsigned char>& hole)
-{
-  const std::size_t columns = grid.columns;
-  constexpr unsigned char far = BandWidth + 1;
-  std::vector<unsigned char> distance(hole.size());
-  std::transform(hole.begin(), hole.end(), distance.begin(), [](unsigned char h) { return h ? far : 0; });
-  // First along the rows, then along the columns: there and back.
-  const auto relax = [&](std::size_t n, std::size_t neighbour)
-  { distance[n] = std::min<unsigned char>(distance[n], static_cast<unsigned char>(distance[neighbour] + 1)); };
-  for (std::size_t j = 0; j < grid.rows; ++j)
-  {
-    for (std::size_t i = 1; i < columns; ++i)
-    {
-      relax(j * columns + i, j * columns + i - 1);
-    }
-    for (std::size_t i = columns - 1; i > 0; --i)
-    {
-      relax(j * columns + i - 1, j * columns + i);
-    }
-  }
-  const auto relaxAround = [&](std::size_t j, std::size_t from)
-  {
-    for (std::size_t i = 0; i < columns; ++i)
-    {
-      const std::size_t low = i > 0 ? i - 1 : 0;
-      const std::size_t high = std::min(i + 1, columns - 1);
-      for (std::size_t a = low; a <= high; ++a)
-      {
-        relax(j * columns + i, from * columns + a);
-      }
-    }
-  };
-  for (std::size_t j = 1; j < grid.rows; ++j)
-  {
-    relaxAround(j, j - 1);
-  }
-  for (std::size_t j = grid.rows - 1; j > 0; --j)
-  {
-    relaxAround(j - 1, j);
-  }
-
-  std::vector<std::size_t> nodes;
-  for (std::size_t n = 0; n < distance.size(); ++n)
-  {
-    if (distance[n] > 0 && distance[n] <= BandWidth)
-    {
-      nodes.push_back(n);
-    }
-  }
-  return nodes;
-}
-
-// Half the derivative of the bending energy by the value of node n: the 13 point biharmonic operator inside, and at
-// the edges of the grid what is left of it when only whole second differences count.
-double bending(const std::vector<double>& z, std::size_t columns, std::size_t rows, std::size_t n)
-{
-  const std::size_t i = n % columns;
-  const std::size_t j = n / columns;
-  const double* p = z.data() + n;
-  const std::ptrdiff_t up = static_cast<std::ptrdiff_t>(columns);
-  if (i >= 2 && j >= 2 && i + 2 < columns && j + 2 < rows)
-  {
-    return 20.0 * p[0] - 8.0 * (p[-1] + p[1] + p[-up] + p[up]) +
-      2.0 * (p[-up - 1] + p[-up + 1] + p[up - 1] + p[up + 1]) + p[-2] + p[2] + p[-2 * up] + p[2 * up];
-  }
-  double sum = 0.0;
-  const auto line = [&](std::size_t index, std::size_t count, std::ptrdiff_t stride)
-  {
-    for (int centre = -1; centre <= 1; ++centre)
-    {
-      const std::ptrdiff_t c = static_cast<std::ptrdiff_t>(index) + centre;
-      if (c >= 1 && c + 1 < static_cast<std::ptrdiff_t>(count))
-      {
-        const double* q = p + centre * stride;
-        sum += (centre == 0 ? -2.0 : 1.0) * (q[-stride] - 2.0 * q[0] + q[stride]);
-      }
-    }
-  };
-  line(i, columns, 1);
-  line(j, rows, up);
-  for (int b = -1; b <= 0; ++b)
-  {
-    for (int a = -1; a <= 0; ++a)
-    {
-      const bool insideColumns = a == 0 ? i + 1 < columns : i > 0;
-      const bool insideRows = b == 0 ? j + 1 < rows : j > 0;
-      if (insideColumns && insideRows)
-      {
-        const double* q = p + a + b * up;
-        sum += (a == b ? 2.0 : -2.0) * (q[0] - q[1] - q[up] + q[up + 1]);
-      }
-    }
-  }
-  return sum;
-}
-
-// Conjugate gradients on the bending energy; only the nodes of the band move.
-void relaxBand(ElevationGrid& grid, const std::vector<std::size_t>& band)
-{
-  std::vector<double> residual(band.size());
-  std::vector<double> product(band.size());
-  std::vector<double> direction(grid.elevation.size(), 0.0);
-  double square = 0.0;
-  double scale = 0.0;
-  for (std::size_t m = 0; m < band.size(); ++m)
-  {
-    residual[m] = -bending(grid.elevation, grid.columns, grid.rows, band[m]);
-    direction[band[m]] = residual[m];
-    square += residual[m] * residual[m];
-    scale += grid.elevation[band[m]] * grid.elevation[band[m]];
-  }
-  const double target = std::max(Reduction * Reduction * square, 1e-28 * scale);
-  for (int step = 0; step < MaxSteps && square > target; ++step)
-  {
-    double curvature = 0.0;
-    for (std::size_t m = 0; m < band.size(); ++m)
-    {
-      product[m] = bending(direction, grid.columns, grid.rows, band[m]);
-      curvature += direction[band[m]] * product[m];
-    }
-    if (!(curvature > 0.0))
-    {
-      return;
-    }
-    const double length = square / curvature;
-    double next = 0.0;
-    for (std::size_t m = 0; m < band.size(); ++m)
-    {
-      grid.elevation[band[m]] += length * direction[band[m]];
-      residual[m] -= length * product[m];
-      next += residual[m] * residual[m];
-    }
-    for (std::size_t m = 0; m < band.size(); ++m)
-    {
-      direction[band[m]] = residual[m] + next / square * direction[band[m]];
-    }
-    square = next;
-  }
+  relax(fine, bandNodes(fine), 2, PlateSteps);
 }
 
 }
@@ -326,7 +393,8 @@ std::vector<unsigned char> fillHoles(ElevationGrid& grid)
   forNodes(grid,
     [&](std::size_t i, std::size_t j, std::size_t n)
     { level.value[n] = hole[n] ? 0.0 : grid.elevation[n] - plane.at(i, j); });
-  pushPull(level);
+  fill(level);
+  relax(level, bandNodes(level), 3, CurvatureSteps);
   forNodes(grid,
     [&](std::size_t i, std::size_t j, std::size_t n)
     {
@@ -335,7 +403,6 @@ std::vector<unsigned char> fillHoles(ElevationGrid& grid)
         grid.elevation[n] = level.value[n] + plane.at(i, j);
       }
     });
-  relaxBand(grid, bandNodes(grid, hole));
   return hole;
 }
 

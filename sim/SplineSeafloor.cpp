@@ -243,28 +243,27 @@ void SplineSeafloor::evaluate(const glm::dvec2& p, unsigned, BedSample& bed) con
   weights(s, ws, ws1, ws2);
   weights(t, wt, wt1, wt2);
 
-  double value = 0.0;
-  double x = 0.0;
-  double y = 0.0;
-  double xx = 0.0;
-  double xy = 0.0;
-  double yy = 0.0;
+  // Across the rows first: the loop over the four columns is one over neighbours in memory, two to a register.
+  double line[4];
+  double slope[4];
+  double curve[4];
+  const double* c1 = c + pitch;
+  const double* c2 = c1 + pitch;
+  const double* c3 = c2 + pitch;
   for (int a = 0; a < 4; ++a)
   {
-    const double c0 = c[a];
-    const double c1 = c[a + pitch];
-    const double c2 = c[a + 2 * pitch];
-    const double c3 = c[a + 3 * pitch];
-    const double line = wt[0] * c0 + wt[1] * c1 + wt[2] * c2 + wt[3] * c3;
-    const double slope = wt1[0] * c0 + wt1[1] * c1 + wt1[2] * c2 + wt1[3] * c3;
-    const double curve = wt2[0] * c0 + wt2[1] * c1 + wt2[2] * c2 + wt2[3] * c3;
-    value += ws[a] * line;
-    x += ws1[a] * line;
-    xx += ws2[a] * line;
-    y += ws[a] * slope;
-    xy += ws1[a] * slope;
-    yy += ws[a] * curve;
+    line[a] = (wt[0] * c[a] + wt[1] * c1[a]) + (wt[2] * c2[a] + wt[3] * c3[a]);
+    slope[a] = (wt1[0] * c[a] + wt1[1] * c1[a]) + (wt1[2] * c2[a] + wt1[3] * c3[a]);
+    curve[a] = (wt2[0] * c[a] + wt2[1] * c1[a]) + (wt2[2] * c2[a] + wt2[3] * c3[a]);
   }
+  const auto along = [](const double* w, const double* f)
+  { return (w[0] * f[0] + w[2] * f[2]) + (w[1] * f[1] + w[3] * f[3]); };
+  const double value = along(ws, line);
+  const double x = along(ws1, line);
+  const double xx = along(ws2, line);
+  const double y = along(ws, slope);
+  const double xy = along(ws1, slope);
+  const double yy = along(ws, curve);
   bed.elevation = value;
   bed.gradient = glm::dvec2(x, y) * this->InverseSpacing;
   bed.xx = xx * this->InverseSpacing.x * this->InverseSpacing.x;
