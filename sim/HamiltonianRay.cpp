@@ -112,13 +112,11 @@ HamiltonianRay::HamiltonianRay(
 
 bool HamiltonianRay::advance(FrontMeasure measure, double target, RayPoint& point)
 {
-  const std::size_t component = measure == FrontMeasure::Phase ? Phase : Length;
   while (true)
   {
-    const double reached = this->LastTheta == 1.0 ? this->End[component] : this->dense(this->LastTheta, component);
-    if (target <= reached)
+    if (target <= this->reached(measure))
     {
-      const double theta = this->StepSize > 0.0 ? this->locateTarget(component, target) : 0.0;
+      const double theta = this->StepSize > 0.0 ? this->locateTarget(measure, target) : 0.0;
       this->describe(theta, point);
       return true;
     }
@@ -430,11 +428,26 @@ double HamiltonianRay::locate(double low, double high, const Sign& outside) cons
   return high;
 }
 
-double HamiltonianRay::locateTarget(std::size_t component, double target) const
+double HamiltonianRay::reached(FrontMeasure measure) const
 {
-  // Newton on the dense polynomial, kept in its bracket; phase and length grow along a ray.
+  if (measure == FrontMeasure::Time)
+  {
+    return this->BeginTime + this->LastTheta * this->StepSize;
+  }
+  const std::size_t component = measure == FrontMeasure::Phase ? Phase : Length;
+  return this->LastTheta == 1.0 ? this->End[component] : this->dense(this->LastTheta, component);
+}
+
+double HamiltonianRay::locateTarget(FrontMeasure measure, double target) const
+{
   double low = this->ReadTheta;
   double high = this->LastTheta;
+  if (measure == FrontMeasure::Time)
+  {
+    return std::clamp((target - this->BeginTime) / this->StepSize, low, high);
+  }
+  // Newton on the dense polynomial, kept in its bracket; phase and length grow along a ray.
+  const std::size_t component = measure == FrontMeasure::Phase ? Phase : Length;
   double theta = low + (high - low) * 0.5;
   const double begin = this->dense(low, component);
   const double total = this->dense(high, component) - begin;

@@ -71,7 +71,8 @@ private:
   glm::dvec2 densePosition(double theta) const;
   template <typename Sign>
   double locate(double low, double high, const Sign& outside) const;
-  double locateTarget(std::size_t component, double target) const;
+  double reached(FrontMeasure measure) const;
+  double locateTarget(FrontMeasure measure, double target) const;
   void countCaustics(double from, double to, int& caustics, bool& negative) const;
   void describe(double theta, RayPoint& point);
   void end(EndReason reason);

@@ -36,6 +36,7 @@ enum class FrontMeasure
 {
   Phase,  ///< rad: fronts are crests
   Length, ///< m travelled
+  Time,   ///< s of travel
 };
 
 /**

@@ -38,8 +38,17 @@ SnellRay::SnellRay(const RayMedium& medium, const RayStart& start, double step, 
 
 bool SnellRay::advance(FrontMeasure measure, double target, RayPoint& point)
 {
-  const auto value = [measure](const Place& place) {
-    return measure == FrontMeasure::Phase ? place.phase : place.length;
+  const auto value = [measure](const Place& place)
+  {
+    switch (measure)
+    {
+      case FrontMeasure::Phase:
+        return place.phase;
+      case FrontMeasure::Time:
+        return place.travelTime;
+      default:
+        return place.length;
+    }
   };
   while (true)
   {
