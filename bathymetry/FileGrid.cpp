@@ -94,8 +94,7 @@ Rectangle FileGrid::extent() const
   return boxOf(this->first, last.x * this->columnStep, last.y * this->rowStep);
 }
 
-RasterWindow selectWindow(
-  const RasterHeader& header, const std::optional<std::array<double, 4>>& crop, bool longitudes)
+RasterWindow selectWindow(const RasterHeader& header, const std::optional<std::array<double, 4>>& crop, bool longitudes)
 {
   if (header.columns < FewestNodes || header.rows < FewestNodes)
   {
@@ -105,8 +104,8 @@ RasterWindow selectWindow(
   const double determinant = header.columnStep.x * header.rowStep.y - header.rowStep.x * header.columnStep.y;
   if (!std::isfinite(header.first.x + header.first.y) || !std::isfinite(determinant) || determinant == 0.0)
   {
-    throw std::runtime_error("its cells have no size (spacing " + text(header.columnStep.x) + ", " +
-      text(header.rowStep.y) + ")");
+    throw std::runtime_error(
+      "its cells have no size (spacing " + text(header.columnStep.x) + ", " + text(header.rowStep.y) + ")");
   }
 
   RasterWindow window{ 0, 0, header.columns, header.rows };
@@ -124,8 +123,8 @@ RasterWindow selectWindow(
     // Corners of the box in nodes; the window is what lies between them.
     glm::dvec2 low(last);
     glm::dvec2 high(0.0);
-    for (const glm::dvec2& corner : { wanted.low, wanted.high, glm::dvec2(wanted.low.x, wanted.high.y),
-           glm::dvec2(wanted.high.x, wanted.low.y) })
+    for (const glm::dvec2& corner :
+      { wanted.low, wanted.high, glm::dvec2(wanted.low.x, wanted.high.y), glm::dvec2(wanted.high.x, wanted.low.y) })
     {
       const glm::dvec2 index = solve(header.columnStep, header.rowStep, corner - header.first);
       low = glm::dvec2(std::min(low.x, index.x), std::min(low.y, index.y));
@@ -133,8 +132,7 @@ RasterWindow selectWindow(
     }
     constexpr double rounding = 1e-6; // nodes
     low = glm::dvec2(std::max(0.0, std::ceil(low.x - rounding)), std::max(0.0, std::ceil(low.y - rounding)));
-    high = glm::dvec2(
-      std::min(last.x, std::floor(high.x + rounding)), std::min(last.y, std::floor(high.y + rounding)));
+    high = glm::dvec2(std::min(last.x, std::floor(high.x + rounding)), std::min(last.y, std::floor(high.y + rounding)));
     if (high.x - low.x < FewestNodes - 1.0 || high.y - low.y < FewestNodes - 1.0)
     {
       throw std::runtime_error("crop leaves fewer than 4 x 4 cells of it; its extent is " + words(box));

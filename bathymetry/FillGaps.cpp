@@ -42,8 +42,8 @@ void measureRuns(std::size_t lines, std::size_t lineStep, std::size_t count, std
 }
 
 // Nodes without data that hang together with `seed`; marks them as seen.
-std::vector<std::size_t> gapAt(std::size_t seed, std::size_t columns, std::size_t rows,
-  const std::vector<double>& values, std::vector<bool>& seen)
+std::vector<std::size_t> gapAt(
+  std::size_t seed, std::size_t columns, std::size_t rows, const std::vector<double>& values, std::vector<bool>& seen)
 {
   std::vector<std::size_t> gap{ seed };
   seen[seed] = true;

@@ -108,8 +108,8 @@ void Georeference::Impl::readCrs(const std::string& crs)
     this->FromWgs84.reset(OGRCreateCoordinateTransformation(&wgs84, &reference));
     if (!this->ToWgs84 || !this->FromWgs84)
     {
-      throw std::runtime_error("no way from CRS '" + this->Name +
-        "' to longitude and latitude: " + QuietGdal::lastError("no reason given"));
+      throw std::runtime_error(
+        "no way from CRS '" + this->Name + "' to longitude and latitude: " + QuietGdal::lastError("no reason given"));
     }
   }
   else if (reference.IsLocal())
@@ -160,8 +160,8 @@ Georeference::Georeference(const std::string& crs, const glm::dvec2& originLonLa
   {
     if (!(std::abs(originLonLat.y) <= 90.0) || !std::isfinite(originLonLat.x))
     {
-      throw std::runtime_error("origin " + text(originLonLat.x) + ", " + text(originLonLat.y) +
-        " is no longitude and latitude in degrees");
+      throw std::runtime_error(
+        "origin " + text(originLonLat.x) + ", " + text(originLonLat.y) + " is no longitude and latitude in degrees");
     }
     data->LonLat = glm::dvec2(normalisedLongitude(originLonLat.x), originLonLat.y);
     double x = 0.0;

@@ -36,7 +36,8 @@ Rectangle inscribedRectangle(const std::vector<glm::dvec2>& outline)
   // Between two vertices' x every edge is straight, so that its ends there bound it; the upper and the lower edge
   // are told apart in the middle of the slab.
   std::vector<Slab> slabs(x.size() - 1);
-  std::vector<Slab> middles(slabs.size(), Slab{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() });
+  std::vector<Slab> middles(
+    slabs.size(), Slab{ std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() });
   for (std::size_t i = 0; i < outline.size(); ++i)
   {
     glm::dvec2 a = outline[i];

@@ -213,7 +213,8 @@ void NetcdfRaster::select(const std::string& variable)
   const auto takeOnly = [&candidates](auto accepts) -> const std::pair<const NamedArray*, Candidate>*
   {
     const auto first = std::find_if(candidates.begin(), candidates.end(), accepts);
-    const bool only = first != candidates.end() && std::find_if(first + 1, candidates.end(), accepts) == candidates.end();
+    const bool only =
+      first != candidates.end() && std::find_if(first + 1, candidates.end(), accepts) == candidates.end();
     return only ? &*first : nullptr;
   };
 
@@ -279,8 +280,8 @@ NetcdfRaster::Axis NetcdfRaster::readAxis(const GDALMDArray& coordinate) const
   constexpr double rounding = 0.02; // cells
   const bool single = coordinate.GetDataType().GetNumericDataType() == GDT_Float32;
   const double largest = std::max(std::abs(values.front()), std::abs(values.back()));
-  const double allowed = rounding * std::abs(axis.step) +
-    (single ? 2.0 * largest * std::numeric_limits<float>::epsilon() : 0.0);
+  const double allowed =
+    rounding * std::abs(axis.step) + (single ? 2.0 * largest * std::numeric_limits<float>::epsilon() : 0.0);
   for (std::size_t i = 0; i < axis.count; ++i)
   {
     if (!(std::abs(values[i] - (axis.first + static_cast<double>(i) * axis.step)) <= allowed))
@@ -361,12 +362,12 @@ std::vector<double> NetcdfRaster::read(const RasterWindow& window, double nodata
   stride[this->XDimension] = 1;
   stride[this->YDimension] = static_cast<GPtrDiff_t>(window.columns);
   std::vector<double> values(window.columns * window.rows);
-  if (!this->Array->Read(start.data(), count.data(), nullptr, stride.data(), GDALExtendedDataType::Create(GDT_Float64),
-        values.data()) ||
+  if (!this->Array->Read(
+        start.data(), count.data(), nullptr, stride.data(), GDALExtendedDataType::Create(GDT_Float64), values.data()) ||
     QuietGdal::failed())
   {
-    throw std::runtime_error("variable '" + this->Header.variable +
-      "' cannot be read: " + QuietGdal::lastError("no reason given"));
+    throw std::runtime_error(
+      "variable '" + this->Header.variable + "' cannot be read: " + QuietGdal::lastError("no reason given"));
   }
 
   const bool single = this->Array->GetDataType().GetNumericDataType() == GDT_Float32;
@@ -391,8 +392,8 @@ std::vector<double> NetcdfRaster::read(const RasterWindow& window, double nodata
   const double offset = this->Array->GetOffset();
   for (double& value : values)
   {
-    value = missing(value) || value < low || value > high ? std::numeric_limits<double>::quiet_NaN()
-                                                          : value * scale + offset;
+    value =
+      missing(value) || value < low || value > high ? std::numeric_limits<double>::quiet_NaN() : value * scale + offset;
   }
   return values;
 }

@@ -25,14 +25,14 @@ struct RasterWindow
 struct RasterHeader
 {
   std::string driver;
-  std::string variable;          ///< name of variable or band, may be empty
+  std::string variable; ///< name of variable or band, may be empty
   std::size_t columns = 0;
   std::size_t rows = 0;
-  glm::dvec2 first{ 0.0 };       ///< file coordinates of node (0, 0)
-  glm::dvec2 columnStep{ 0.0 };  ///< step from a node to the next of its row, file coordinates
-  glm::dvec2 rowStep{ 0.0 };     ///< step from a node to the next of its column
-  std::string crs;               ///< WKT, empty where there is none
-  std::string crsSource;         ///< where the CRS comes from if not a CRS in the file, e.g. axes in degrees
+  glm::dvec2 first{ 0.0 };      ///< file coordinates of node (0, 0)
+  glm::dvec2 columnStep{ 0.0 }; ///< step from a node to the next of its row, file coordinates
+  glm::dvec2 rowStep{ 0.0 };    ///< step from a node to the next of its column
+  std::string crs;              ///< WKT, empty where there is none
+  std::string crsSource;        ///< where the CRS comes from if not a CRS in the file, e.g. axes in degrees
   VerticalMetadata vertical;
   std::vector<std::string> notes;
 

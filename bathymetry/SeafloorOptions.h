@@ -22,11 +22,11 @@ struct SeafloorOptions
   double smooth = 0.0;            ///< standard deviation of the Gaussian that smooths the grid, m, >= 0; 0: none
   std::optional<std::array<double, 4>> crop; ///< x0, y0, x1, y1 in the file's own coordinates, x0 < x1, y0 < y1
   Positive positive = Positive::Auto;
-  std::string crs;                ///< anything GDAL takes (EPSG:n, WKT, PROJ); "local": metres; empty: the file's own
-  std::optional<double> nodata;   ///< value, as stored in the file, that stands for no data, beside the file's own
-  std::optional<double> maxGap;   ///< widest gap at the border of the grid that is filled, m, >= 0; 5 cells
-  std::string variable;           ///< variable of a NetCDF file, or number or description of a raster band
-  double waterLevel = 0.0;        ///< m, positive up
+  std::string crs;              ///< anything GDAL takes (EPSG:n, WKT, PROJ); "local": metres; empty: the file's own
+  std::optional<double> nodata; ///< value, as stored in the file, that stands for no data, beside the file's own
+  std::optional<double> maxGap; ///< widest gap at the border of the grid that is filled, m, >= 0; 5 cells
+  std::string variable;         ///< variable of a NetCDF file, or number or description of a raster band
+  double waterLevel = 0.0;      ///< m, positive up
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;

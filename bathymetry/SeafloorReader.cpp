@@ -50,8 +50,8 @@ std::string wordsForRange(const ElevationGrid& grid)
   return text(lowest) + " to " + text(highest) + " m";
 }
 
-FileGrid readElevations(const RasterSource& source, const SeafloorOptions& options, bool longitudes,
-  const VerticalMeaning& meaning)
+FileGrid readElevations(
+  const RasterSource& source, const SeafloorOptions& options, bool longitudes, const VerticalMeaning& meaning)
 {
   const RasterHeader& header = source.header();
   const RasterWindow window = selectWindow(header, options.crop, longitudes);
@@ -69,8 +69,9 @@ FileGrid readElevations(const RasterSource& source, const SeafloorOptions& optio
     any = any || !std::isnan(z);
     if (std::abs(z) > FarthestElevation)
     {
-      throw std::runtime_error("it has an elevation of " + text(z) + " m, farther from the sea's level than any place " +
-        "on Earth; if " + text(z / meaning.factor) + " marks missing data, say --nodata " + text(z / meaning.factor, 17));
+      throw std::runtime_error("it has an elevation of " + text(z) +
+        " m, farther from the sea's level than any place " + "on Earth; if " + text(z / meaning.factor) +
+        " marks missing data, say --nodata " + text(z / meaning.factor, 17));
     }
   }
   if (!any)
@@ -126,12 +127,12 @@ CrsChoice chooseCrs(
     return { header.crs, header.crsSource.empty() ? "file" : header.crsSource };
   }
   const Rectangle extent = file.extent();
-  const bool fits =
-    extent.low.x >= -180.0 && extent.high.x <= 360.0 && extent.low.y >= -90.0 && extent.high.y <= 90.0;
+  const bool fits = extent.low.x >= -180.0 && extent.high.x <= 360.0 && extent.low.y >= -90.0 && extent.high.y <= 90.0;
   const double slope = rmsSlope(file);
   if (fits && slope > AbsurdSlope)
   {
-    notes.push_back("no CRS: taken as longitude and latitude (WGS 84), because its coordinates fit them and its slope " +
+    notes.push_back(
+      "no CRS: taken as longitude and latitude (WGS 84), because its coordinates fit them and its slope " +
       ("would be " + text(slope, 3)) + " (rms) if they were metres; --crs overrides");
     return { "EPSG:4326", "assumed" };
   }
@@ -156,7 +157,8 @@ void noteLikelyMark(const FileGrid& file, const VerticalMeaning& meaning, std::v
     [&meaning](double z) { return z / meaning.factor == usualMark; });
   if (marks > 0)
   {
-    notes.push_back(std::to_string(marks) + " cells hold -9999, which often marks missing data: if so, say --nodata -9999");
+    notes.push_back(
+      std::to_string(marks) + " cells hold -9999, which often marks missing data: if so, say --nodata -9999");
   }
 }
 
@@ -187,8 +189,8 @@ void requireWater(const FileGrid& file, const SeafloorOptions& options, const Ve
   const auto& z = file.values.elevation;
   if (std::none_of(z.begin(), z.end(), [&options](double e) { return e < options.waterLevel; }))
   {
-    throw std::runtime_error("it has no cell below the water level of " + text(options.waterLevel) +
-      " m (elevations " + wordsForRange(file.values) + "); if its values are " +
+    throw std::runtime_error("it has no cell below the water level of " + text(options.waterLevel) + " m (elevations " +
+      wordsForRange(file.values) + "); if its values are " +
       (meaning.factor > 0.0 ? "depths, say --positive down" : "elevations, say --positive up"));
   }
 }

@@ -14,7 +14,7 @@ namespace swellray
 /** A seafloor read from a file. */
 struct Bathymetry
 {
-  ElevationGrid grid;        ///< m; holes are NaN. Georeference's points are this grid's positions.
+  ElevationGrid grid; ///< m; holes are NaN. Georeference's points are this grid's positions.
   Georeference georeference;
   SeafloorReport report;
 };
@@ -34,7 +34,6 @@ struct Bathymetry
  * @throws std::runtime_error a file that cannot be read, has nothing but land or no data, or cannot be understood;
  *   the message names the file
  */
-Bathymetry readSeafloor(
-  const std::string& path, const SeafloorOptions& options = {}, const Execution& execution = {});
+Bathymetry readSeafloor(const std::string& path, const SeafloorOptions& options = {}, const Execution& execution = {});
 
 }

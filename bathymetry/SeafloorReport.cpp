@@ -27,8 +27,7 @@ std::vector<std::pair<std::string, std::string>> SeafloorReport::lines() const
 {
   constexpr int coordinateDigits = 10;
   std::vector<std::pair<std::string, std::string>> result;
-  const auto add = [&result](const std::string& label, const std::string& words)
-  { result.emplace_back(label, words); };
+  const auto add = [&result](const std::string& label, const std::string& words) { result.emplace_back(label, words); };
 
   add("File", this->path);
   add("Format", this->driver + (this->variable.empty() ? "" : ", " + this->variable));
@@ -40,30 +39,36 @@ std::vector<std::pair<std::string, std::string>> SeafloorReport::lines() const
   add("Size", size);
   const char* const kinds[] = { "none, local metres", "projected", "longitude and latitude" };
   const std::string kindName = kinds[static_cast<int>(this->kind)];
-  add("CRS", (this->crsName.empty() ? kindName : this->crsName + ", " + kindName) +
+  add("CRS",
+    (this->crsName.empty() ? kindName : this->crsName + ", " + kindName) +
       (this->crsSource.empty() ? "" : " (" + this->crsSource + ")"));
-  add("File extent", range(this->fileExtent.low.x, this->fileExtent.high.x, coordinateDigits) + ", " +
+  add("File extent",
+    range(this->fileExtent.low.x, this->fileExtent.high.x, coordinateDigits) + ", " +
       range(this->fileExtent.low.y, this->fileExtent.high.y, coordinateDigits));
   add("File spacing", text(this->fileSpacing.x, 8) + " x " + text(this->fileSpacing.y, 8));
   add("Values", this->units + " (" + this->unitsSource + "), " + this->sign + " (" + this->signSource + ")");
-  add("Grid", std::to_string(this->columns) + " x " + std::to_string(this->rows) + " of " +
-      text(this->spacing.x, 5) + " x " + text(this->spacing.y, 5) + " m" + (this->resampled ? ", resampled" : ""));
-  add("Extent", range(this->extent.low.x, this->extent.high.x, 8) + " m east, " +
+  add("Grid",
+    std::to_string(this->columns) + " x " + std::to_string(this->rows) + " of " + text(this->spacing.x, 5) + " x " +
+      text(this->spacing.y, 5) + " m" + (this->resampled ? ", resampled" : ""));
+  add("Extent",
+    range(this->extent.low.x, this->extent.high.x, 8) + " m east, " +
       range(this->extent.low.y, this->extent.high.y, 8) + " m north");
   if (this->kind == GeoreferenceKind::Geographic)
   {
     add("Scale error", "at most " + text(100.0 * this->scaleError, 2) + " %");
   }
   add("Elevation", range(this->lowest, this->highest, 5) + " m");
-  add("Depth", range(std::max(0.0, this->waterLevel - this->highest), this->waterLevel - this->lowest, 5) +
-      " m at water level " + text(this->waterLevel) + " m");
+  add("Depth",
+    range(std::max(0.0, this->waterLevel - this->highest), this->waterLevel - this->lowest, 5) + " m at water level " +
+      text(this->waterLevel) + " m");
   add("Water", percent(this->waterShare));
   add("Land", percent(this->landShare));
   add("No data", percent(this->noDataShare));
   if (this->noDataRead > 0)
   {
-    add("Gaps", std::to_string(this->noDataRead) + " cells without data in the file, " +
-        std::to_string(this->filled) + " filled");
+    add("Gaps",
+      std::to_string(this->noDataRead) + " cells without data in the file, " + std::to_string(this->filled) +
+        " filled");
   }
   for (const std::string& note : this->notes)
   {

@@ -15,38 +15,38 @@ namespace swellray
 struct SeafloorReport
 {
   std::string path;
-  std::string driver;            ///< GDAL's short name of the format
+  std::string driver; ///< GDAL's short name of the format
   std::string variable;
-  std::size_t fileColumns = 0;   ///< nodes of the whole file
+  std::size_t fileColumns = 0; ///< nodes of the whole file
   std::size_t fileRows = 0;
-  std::size_t readColumns = 0;   ///< nodes of the part that was read
+  std::size_t readColumns = 0; ///< nodes of the part that was read
   std::size_t readRows = 0;
   Rectangle fileExtent;          ///< of the nodes that were read, file coordinates
   glm::dvec2 fileSpacing{ 0.0 }; ///< distance of nodes along a row and along a column, file coordinates
   GeoreferenceKind kind = GeoreferenceKind::Local;
-  std::string crsName;           ///< empty where there is none
-  std::string crsSource;         ///< "file", "as asked", or why it was assumed
+  std::string crsName;   ///< empty where there is none
+  std::string crsSource; ///< "file", "as asked", or why it was assumed
 
-  std::size_t columns = 0;       ///< nodes of the result
+  std::size_t columns = 0; ///< nodes of the result
   std::size_t rows = 0;
-  glm::dvec2 spacing{ 0.0 };     ///< m
-  Rectangle extent;              ///< m
+  glm::dvec2 spacing{ 0.0 }; ///< m
+  Rectangle extent;          ///< m
   bool resampled = false;
-  double scaleError = 0.0;       ///< largest |map length / true length - 1|
+  double scaleError = 0.0; ///< largest |map length / true length - 1|
 
-  double waterLevel = 0.0;       ///< m
-  double lowest = 0.0;           ///< elevation, m
-  double highest = 0.0;          ///< elevation, m
-  double waterShare = 0.0;       ///< of the nodes of the result, 0 to 1
+  double waterLevel = 0.0; ///< m
+  double lowest = 0.0;     ///< elevation, m
+  double highest = 0.0;    ///< elevation, m
+  double waterShare = 0.0; ///< of the nodes of the result, 0 to 1
   double landShare = 0.0;
-  double noDataShare = 0.0;      ///< holes
-  std::size_t noDataRead = 0;    ///< nodes without data that were read
-  std::size_t filled = 0;        ///< of these, filled
+  double noDataShare = 0.0;   ///< holes
+  std::size_t noDataRead = 0; ///< nodes without data that were read
+  std::size_t filled = 0;     ///< of these, filled
 
-  std::string units;             ///< of the values, as understood
+  std::string units; ///< of the values, as understood
   std::string unitsSource;
-  std::string sign;              ///< of the values, as understood
-  std::string signSource;        ///< e.g. "positive attribute", "assumed"
+  std::string sign;       ///< of the values, as understood
+  std::string signSource; ///< e.g. "positive attribute", "assumed"
 
   std::vector<std::string> notes; ///< what a user should know, one line each
 

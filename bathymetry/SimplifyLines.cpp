@@ -36,8 +36,8 @@ void check(const LineSet& lines, double tolerance)
   if (lines.offsets.empty() || lines.offsets.front() != 0 || lines.offsets.back() != lines.points.size() ||
     !std::is_sorted(lines.offsets.begin(), lines.offsets.end()))
   {
-    throw std::invalid_argument("the offsets of the lines do not fit their " + std::to_string(lines.points.size()) +
-      " points");
+    throw std::invalid_argument(
+      "the offsets of the lines do not fit their " + std::to_string(lines.points.size()) + " points");
   }
 }
 

@@ -58,8 +58,8 @@ ElevationGrid layOut(const Rectangle& box, const glm::dvec2& spacing, bool centr
   grid.spacing = spacing;
   grid.columns = nodesIn(box.size().x, spacing.x);
   grid.rows = nodesIn(box.size().y, spacing.y);
-  const std::string size = text(spacing.x) + " x " + text(spacing.y) + " m on " + text(box.size().x) + " x " +
-    text(box.size().y) + " m";
+  const std::string size =
+    text(spacing.x) + " x " + text(spacing.y) + " m on " + text(box.size().x) + " x " + text(box.size().y) + " m";
   if (grid.columns < FewestNodes || grid.rows < FewestNodes)
   {
     throw std::runtime_error("a grid of " + size + " has fewer than 4 x 4 nodes; choose a smaller --resample");
@@ -211,8 +211,10 @@ glm::dvec2 cellSize(const FileGrid& file, const Georeference& georeference)
   const glm::dvec2 middle = 0.5 * file.lastIndex();
   const glm::dvec2 column(0.5, 0.0);
   const glm::dvec2 row(0.0, 0.5);
-  const glm::dvec2 along = fileToPoint(georeference, file, middle + column) - fileToPoint(georeference, file, middle - column);
-  const glm::dvec2 across = fileToPoint(georeference, file, middle + row) - fileToPoint(georeference, file, middle - row);
+  const glm::dvec2 along =
+    fileToPoint(georeference, file, middle + column) - fileToPoint(georeference, file, middle - column);
+  const glm::dvec2 across =
+    fileToPoint(georeference, file, middle + row) - fileToPoint(georeference, file, middle - row);
   return { std::hypot(along.x, along.y), std::hypot(across.x, across.y) };
 }
 

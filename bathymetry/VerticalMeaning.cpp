@@ -44,11 +44,11 @@ double metresPerUnit(const std::string& unit)
     { "meters", 1.0 }, { "mm", 0.001 }, { "millimetre", 0.001 }, { "millimeter", 0.001 }, { "millimetres", 0.001 },
     { "millimeters", 0.001 }, { "cm", 0.01 }, { "centimetre", 0.01 }, { "centimeter", 0.01 }, { "centimetres", 0.01 },
     { "centimeters", 0.01 }, { "dm", 0.1 }, { "decimetre", 0.1 }, { "decimeter", 0.1 }, { "decimetres", 0.1 },
-    { "decimeters", 0.1 }, { "km", 1000.0 }, { "kilometre", 1000.0 }, { "kilometer", 1000.0 },
-    { "kilometres", 1000.0 }, { "kilometers", 1000.0 }, { "ft", 0.3048 }, { "foot", 0.3048 }, { "feet", 0.3048 },
-    { "us-ft", 1200.0 / 3937.0 }, { "ftus", 1200.0 / 3937.0 }, { "us survey foot", 1200.0 / 3937.0 },
-    { "us survey feet", 1200.0 / 3937.0 }, { "us_survey_foot", 1200.0 / 3937.0 }, { "fathom", 1.8288 },
-    { "fathoms", 1.8288 }, { "fm", 1.8288 }, { "yard", 0.9144 }, { "yards", 0.9144 }, { "yd", 0.9144 } };
+    { "decimeters", 0.1 }, { "km", 1000.0 }, { "kilometre", 1000.0 }, { "kilometer", 1000.0 }, { "kilometres", 1000.0 },
+    { "kilometers", 1000.0 }, { "ft", 0.3048 }, { "foot", 0.3048 }, { "feet", 0.3048 }, { "us-ft", 1200.0 / 3937.0 },
+    { "ftus", 1200.0 / 3937.0 }, { "us survey foot", 1200.0 / 3937.0 }, { "us survey feet", 1200.0 / 3937.0 },
+    { "us_survey_foot", 1200.0 / 3937.0 }, { "fathom", 1.8288 }, { "fathoms", 1.8288 }, { "fm", 1.8288 },
+    { "yard", 0.9144 }, { "yards", 0.9144 }, { "yd", 0.9144 } };
   // "meters above MSL" and "m (NAVD88)" begin with the unit; the longest name that fits wins.
   const std::string words = plain(unit);
   double metres = 0.0;

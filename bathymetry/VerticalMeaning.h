@@ -21,10 +21,10 @@ struct VerticalMetadata
 /** How to make elevations in metres, positive up, of a file's values: elevation = factor * value. */
 struct VerticalMeaning
 {
-  double factor = 1.0;      ///< metres a unit, negative where the values are depths
-  std::string sign;         ///< "elevation, positive up" or "depth, positive down"
-  std::string signSource;   ///< what it was taken from, e.g. "positive attribute", "assumed"
-  std::string units;        ///< as understood, e.g. "feet (0.3048 m)"
+  double factor = 1.0;    ///< metres a unit, negative where the values are depths
+  std::string sign;       ///< "elevation, positive up" or "depth, positive down"
+  std::string signSource; ///< what it was taken from, e.g. "positive attribute", "assumed"
+  std::string units;      ///< as understood, e.g. "feet (0.3048 m)"
   std::string unitsSource;
   std::vector<std::string> notes;
 };
