@@ -33,6 +33,7 @@ public:
   void evaluate(const glm::dvec2& p, unsigned region, BedSample& bed) const override;
   double featureLength() const override;
   double resolution() const override;
+  double cellSize() const override { return this->Spacing.x > this->Spacing.y ? this->Spacing.x : this->Spacing.y; }
   bool hasHoles() const override { return !this->HoleCell.empty(); }
   bool isHole(const glm::dvec2& p) const override;
   /**
