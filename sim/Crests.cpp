@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <numeric>
+#include <sstream>
+#include <stdexcept>
 #include <tuple>
-#include <utility>
 
 namespace swellray
 {
@@ -19,6 +20,9 @@ namespace
 
 // Fronts lie on crests to the accuracy of the integration: a ray that ends on one must not miss it by rounding. rad.
 constexpr double PhaseTolerance = 1e-6;
+
+// Ten million waves, several times around the Earth: what is beyond is no phase. rad.
+constexpr double LargestPhase = 2e7 * Pi;
 
 constexpr double crestPhase(std::int64_t number)
 {
@@ -35,7 +39,10 @@ struct Candidate
 class MarkCount
 {
 public:
-  explicit MarkCount(std::size_t size) : Sums(size + 1, 0) {}
+  explicit MarkCount(std::size_t size)
+    : Sums(size + 1, 0)
+  {
+  }
 
   void mark(std::size_t index)
   {
@@ -67,70 +74,90 @@ glm::dvec2 positionAt(const RayLines& lines, const RayPlace& place)
   return glm::dvec2(a[0], a[1]) + place.weight * glm::dvec2(a[3] - a[0], a[4] - a[1]);
 }
 
-// Crests that ray r crosses, first to second; none where first > second.
-std::pair<std::int64_t, std::int64_t> crestsOf(const RayLines& lines, std::size_t r)
+std::size_t pointCount(const RayLines& lines, std::size_t ray)
 {
-  const std::int64_t begin = lines.offsets[r];
-  const std::int64_t end = lines.offsets[r + 1];
-  if (end - begin < 2)
-  {
-    return { 1, 0 };
-  }
-  const double from = std::ceil((lines.phase[begin] - PhaseTolerance) / (2.0 * Pi));
-  const double to = std::floor((lines.phase[end - 1] + PhaseTolerance) / (2.0 * Pi));
-  if (!(from <= to) || std::isinf(from) || std::isinf(to))
-  {
-    return { 1, 0 };
-  }
-  return { static_cast<std::int64_t>(from), static_cast<std::int64_t>(to) };
+  return static_cast<std::size_t>(lines.offsets[ray + 1] - lines.offsets[ray]);
 }
 
+double lastPhase(const RayLines& lines, std::size_t ray)
+{
+  return lines.phase[lines.offsets[ray + 1] - 1];
 }
 
-CrestLines extractCrests(const RayLines& lines, double maxGap)
+struct Range
 {
-  CrestLines crests;
-  std::vector<std::size_t> sorted(lines.rays);
-  std::iota(sorted.begin(), sorted.end(), std::size_t(0));
-  std::sort(sorted.begin(), sorted.end(),
-    [&](std::size_t a, std::size_t b)
-    {
-      return std::make_tuple(lines.launchSegment[a], lines.launchParameter[a], a) <
-        std::make_tuple(lines.launchSegment[b], lines.launchParameter[b], b);
-    });
+  std::int64_t first = 0;
+  std::int64_t last = -1;
 
-  // Sort the crossings into crests by counting.
-  std::int64_t lowest = 0;
-  std::int64_t highest = -1;
-  for (std::size_t r = 0; r < lines.rays; ++r)
+  std::size_t size() const { return static_cast<std::size_t>(this->last - this->first + 1); }
+};
+
+// Crests that a ray crosses.
+Range crestsOf(const RayLines& lines, std::size_t ray)
+{
+  if (pointCount(lines, ray) < 2)
   {
-    const auto [from, to] = crestsOf(lines, r);
-    if (from <= to)
+    return {};
+  }
+  const double from = lines.phase[lines.offsets[ray]];
+  const double to = lastPhase(lines, ray);
+  for (const double phase : { from, to })
+  {
+    if (!(std::fabs(phase) < LargestPhase))
     {
-      const bool none = highest < lowest;
-      lowest = none ? from : std::min(lowest, from);
-      highest = none ? to : std::max(highest, to);
+      std::ostringstream message;
+      message << "ray " << ray << ": a phase of " << phase << " rad is none of a wave; it must be within "
+              << LargestPhase;
+      throw std::runtime_error(message.str());
     }
   }
-  std::vector<std::size_t> offsets(static_cast<std::size_t>(highest - lowest + 1) + 1, 0);
-  for (std::size_t r = 0; r < lines.rays; ++r)
+  const Range range{ static_cast<std::int64_t>(std::ceil((from - PhaseTolerance) / (2.0 * Pi))),
+    static_cast<std::int64_t>(std::floor((to + PhaseTolerance) / (2.0 * Pi))) };
+  return range.first <= range.last ? range : Range();
+}
+
+// Where rays cross crests: those of crest `numbers.first + i` from offsets[i] on, in the order of the rays.
+struct Crossings
+{
+  Range numbers;
+  std::vector<std::size_t> offsets{ 0 };
+  std::vector<Candidate> candidates;
+};
+
+Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& sorted)
+{
+  Crossings crossings;
+  std::vector<Range> ranges(sorted.size());
+  Range& numbers = crossings.numbers;
+  for (std::size_t order = 0; order < sorted.size(); ++order)
   {
-    const auto [from, to] = crestsOf(lines, r);
-    for (std::int64_t n = from; n <= to; ++n)
+    const Range& range = ranges[order] = crestsOf(lines, sorted[order]);
+    if (range.size() > 0)
     {
-      ++offsets[static_cast<std::size_t>(n - lowest) + 1];
+      const bool none = numbers.size() == 0;
+      numbers.first = none ? range.first : std::min(numbers.first, range.first);
+      numbers.last = none ? range.last : std::max(numbers.last, range.last);
+    }
+  }
+
+  std::vector<std::size_t>& offsets = crossings.offsets;
+  offsets.resize(numbers.size() + 1, 0);
+  for (const Range& range : ranges)
+  {
+    for (std::int64_t n = range.first; n <= range.last; ++n)
+    {
+      ++offsets[static_cast<std::size_t>(n - numbers.first) + 1];
     }
   }
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<Candidate> candidates(offsets.back());
+
+  crossings.candidates.resize(offsets.back());
   std::vector<std::size_t> next(offsets.begin(), offsets.end() - 1);
   for (std::size_t order = 0; order < sorted.size(); ++order)
   {
-    const std::size_t r = sorted[order];
-    const auto [from, to] = crestsOf(lines, r);
-    std::int64_t point = lines.offsets[r];
-    const std::int64_t last = lines.offsets[r + 1] - 1;
-    for (std::int64_t n = from; n <= to; ++n)
+    std::int64_t point = lines.offsets[sorted[order]];
+    const std::int64_t last = lines.offsets[sorted[order] + 1] - 1;
+    for (std::int64_t n = ranges[order].first; n <= ranges[order].last; ++n)
     {
       const double phase = crestPhase(n);
       while (point + 1 < last && lines.phase[point + 1] < phase)
@@ -139,58 +166,71 @@ CrestLines extractCrests(const RayLines& lines, double maxGap)
       }
       const double rise = lines.phase[point + 1] - lines.phase[point];
       const double weight = rise > 0.0 ? std::clamp((phase - lines.phase[point]) / rise, 0.0, 1.0) : 0.0;
-      candidates[next[static_cast<std::size_t>(n - lowest)]++] = { order, { point, weight } };
+      crossings.candidates[next[static_cast<std::size_t>(n - numbers.first)]++] = { order, { point, weight } };
     }
   }
+  return crossings;
+}
+
+}
+
+CrestLines extractCrests(const RayLines& lines, double maxGap)
+{
+  std::vector<std::size_t> sorted(lines.rays);
+  std::iota(sorted.begin(), sorted.end(), std::size_t(0));
+  std::sort(sorted.begin(), sorted.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      return std::make_tuple(lines.launchSegment[a], lines.launchParameter[a], a) <
+        std::make_tuple(lines.launchSegment[b], lines.launchParameter[b], b);
+    });
+  const Crossings crossings = findCrossings(lines, sorted);
 
   // Rays in the order in which they end, to know at each crest which have ended before it.
-  const auto lastPhase = [&](std::size_t order)
+  std::vector<std::size_t> ending;
+  for (std::size_t order = 0; order < sorted.size(); ++order)
   {
-    const std::size_t r = sorted[order];
-    const bool empty = lines.offsets[r + 1] == lines.offsets[r];
-    return empty ? std::numeric_limits<double>::infinity() : lines.phase[lines.offsets[r + 1] - 1];
-  };
-  std::vector<std::size_t> ending(sorted.size());
-  std::iota(ending.begin(), ending.end(), std::size_t(0));
-  ending.erase(std::remove_if(ending.begin(), ending.end(),
-                 [&](std::size_t order) { return !std::isfinite(lastPhase(order)); }),
-    ending.end());
-  std::sort(
-    ending.begin(), ending.end(), [&](std::size_t a, std::size_t b) { return lastPhase(a) < lastPhase(b); });
+    if (pointCount(lines, sorted[order]) > 0)
+    {
+      ending.push_back(order);
+    }
+  }
+  const auto end = [&](std::size_t order) { return lastPhase(lines, sorted[order]); };
+  std::sort(ending.begin(), ending.end(), [&](std::size_t a, std::size_t b) { return end(a) < end(b); });
   MarkCount ended(sorted.size());
   std::size_t endedCount = 0;
 
-  for (std::int64_t n = lowest; n <= highest; ++n)
+  const auto linked = [&](const Candidate& a, const Candidate& b)
   {
-    while (endedCount < ending.size() && lastPhase(ending[endedCount]) < crestPhase(n) - PhaseTolerance)
+    return lines.launchSegment[sorted[a.order]] == lines.launchSegment[sorted[b.order]] &&
+      (b.order == a.order + 1 || !ended.any(a.order + 1, b.order)) &&
+      (!(maxGap > 0.0) || glm::distance(positionAt(lines, a.place), positionAt(lines, b.place)) <= maxGap);
+  };
+  CrestLines crests;
+  for (std::size_t i = 0; i < crossings.numbers.size(); ++i)
+  {
+    const std::int64_t number = crossings.numbers.first + static_cast<std::int64_t>(i);
+    while (endedCount < ending.size() && end(ending[endedCount]) < crestPhase(number) - PhaseTolerance)
     {
       ended.mark(ending[endedCount++]);
     }
-    const auto linked = [&](const Candidate& a, const Candidate& b)
+    const Candidate* const stop = crossings.candidates.data() + crossings.offsets[i + 1];
+    const Candidate* first = crossings.candidates.data() + crossings.offsets[i];
+    while (first != stop)
     {
-      return lines.launchSegment[sorted[a.order]] == lines.launchSegment[sorted[b.order]] &&
-        (b.order == a.order + 1 || !ended.any(a.order + 1, b.order)) &&
-        (!(maxGap > 0.0) || glm::distance(positionAt(lines, a.place), positionAt(lines, b.place)) <= maxGap);
-    };
-    const std::size_t end = offsets[static_cast<std::size_t>(n - lowest) + 1];
-    std::size_t begin = offsets[static_cast<std::size_t>(n - lowest)];
-    while (begin < end)
-    {
-      std::size_t stop = begin + 1;
-      while (stop < end && linked(candidates[stop - 1], candidates[stop]))
+      const Candidate* last = first;
+      while (last + 1 != stop && linked(*last, last[1]))
       {
-        ++stop;
+        ++last;
       }
-      if (stop - begin > 1)
+      if (last != first)
       {
-        for (std::size_t i = begin; i < stop; ++i)
-        {
-          crests.places.push_back(candidates[i].place);
-        }
-        crests.number.push_back(n);
+        std::transform(first, last + 1, std::back_inserter(crests.places),
+          [](const Candidate& candidate) { return candidate.place; });
+        crests.number.push_back(number);
         crests.offsets.push_back(crests.places.size());
       }
-      begin = stop;
+      first = last + 1;
     }
   }
   return crests;

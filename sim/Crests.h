@@ -13,10 +13,10 @@ namespace swellray
 struct RayLines
 {
   std::size_t rays = 0;
-  const std::int64_t* offsets = nullptr;     ///< rays + 1 entries into the point arrays
-  const double* positions = nullptr;         ///< x, y, z a point, m
-  const double* phase = nullptr;             ///< a point, rad
-  const double* launchParameter = nullptr;   ///< a ray, m
+  const std::int64_t* offsets = nullptr;       ///< rays + 1 entries into the point arrays
+  const double* positions = nullptr;           ///< x, y, z a point, m
+  const double* phase = nullptr;               ///< a point, rad
+  const double* launchParameter = nullptr;     ///< a ray, m
   const std::int32_t* launchSegment = nullptr; ///< a ray
 };
 
@@ -38,6 +38,9 @@ struct CrestLines
 /**
  * Lines of equal phase S = 2 pi n over neighbouring rays. A line breaks where a ray between two others has
  * ended, between launch segments, and where two neighbours are further apart than maxGap (m; 0: no limit).
+ * Places lie on the straight line between two points of a ray; a ray alone makes no line.
+ * @param lines rays whose phase increases along them
+ * @throws std::runtime_error where a ray begins or ends with a phase that is not finite or beyond 1e7 waves
  */
 CrestLines extractCrests(const RayLines& lines, double maxGap);
 

@@ -25,7 +25,7 @@ struct HeightOptions
 {
   AmplitudeRule amplitude = AmplitudeRule::Spacing;
   BreakingRule breaking = BreakingRule::Gamma;
-  double gamma = 0.78;    ///< breaker index H/h, > 0
+  double gamma = 0.78;        ///< breaker index H/h, > 0
   double maxRefraction = 3.0; ///< cap of the refraction coefficient at caustics, > 0
 
   /** @throws std::invalid_argument naming the option that is out of range */
@@ -35,10 +35,10 @@ struct HeightOptions
 /** Wave quantities at the points of one ray; all vectors have one entry a point. */
 struct RayHeights
 {
-  std::vector<double> refraction;  ///< Kr in use, -
-  std::vector<double> shoaling;    ///< Ks, -
-  std::vector<double> height;      ///< H, m
-  std::vector<double> energyFlux;  ///< rho g H^2 Cg / 8, W/m
+  std::vector<double> refraction;      ///< Kr in use, -
+  std::vector<double> shoaling;        ///< Ks, -
+  std::vector<double> height;          ///< H, m
+  std::vector<double> energyFlux;      ///< rho g H^2 Cg / 8, W/m
   std::vector<double> orbitalVelocity; ///< pi H/(T sinh kh), amplitude near the bed, m/s
   std::vector<std::uint8_t> breaking;  ///< 1 where the wave is broken
 };
@@ -50,12 +50,12 @@ constexpr double SeaWaterDensity = 1025.0;
 struct RayProfile
 {
   std::size_t count = 0;
-  const double* depth = nullptr;        ///< m
-  const double* wavenumber = nullptr;   ///< rad/m
-  const double* groupSpeed = nullptr;   ///< m/s
-  const double* krSpacing = nullptr;    ///< -, NaN or infinite allowed
-  const double* krTube = nullptr;       ///< -
-  const std::uint8_t* state = nullptr;  ///< RayState
+  const double* depth = nullptr;       ///< m
+  const double* wavenumber = nullptr;  ///< rad/m
+  const double* groupSpeed = nullptr;  ///< m/s
+  const double* krSpacing = nullptr;   ///< -, NaN or infinite allowed
+  const double* krTube = nullptr;      ///< -
+  const std::uint8_t* state = nullptr; ///< RayState
 };
 
 /**
@@ -64,6 +64,7 @@ struct RayProfile
  * the other one is taken; an aground ray has the height its depth allows.
  * @param result resized to profile.count
  */
-void computeHeights(const RayProfile& profile, const IncidentWave& wave, const HeightOptions& options, RayHeights& result);
+void computeHeights(
+  const RayProfile& profile, const IncidentWave& wave, const HeightOptions& options, RayHeights& result);
 
 }

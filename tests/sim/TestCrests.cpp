@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 #include <vector>
 
 namespace
@@ -221,6 +223,18 @@ TEST(Crests, RaysWithoutALengthOnlyEndThem)
   rays.add(3.0, 0.0, 2.0);
   const CrestLines crests = rays.crests();
   EXPECT_EQ(rays.linesOf(crests, 1), (Lines{ { 2.0, 3.0 } }));
+}
+
+TEST(Crests, RefuseWhatIsNoPhase)
+{
+  for (const double bad : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300 })
+  {
+    Rays rays;
+    rays.add(0.0, 0.0, 2.0);
+    rays.add(1.0, 0.0, 2.0);
+    rays.phase.back() = bad;
+    EXPECT_THROW(rays.crests(), std::runtime_error) << bad;
+  }
 }
 
 TEST(Crests, CurvedCrestsKeepTheirShape)
