@@ -357,9 +357,9 @@ void fill(Level& fine)
       {
         const std::size_t i0 = i / 2;
         const std::size_t i1 = i % 2 ? std::min(i0 + 1, coarse.columns - 1) : (i0 > 0 ? i0 - 1 : 0);
-        fine.value[j * fine.columns + i] =
-          0.5625 * coarse.value[j0 * coarse.columns + i0] + 0.1875 * coarse.value[j0 * coarse.columns + i1] +
-          0.1875 * coarse.value[j1 * coarse.columns + i0] + 0.0625 * coarse.value[j1 * coarse.columns + i1];
+        fine.value[j * fine.columns + i] = 0.5625 * coarse.value[j0 * coarse.columns + i0] +
+          0.1875 * coarse.value[j0 * coarse.columns + i1] + 0.1875 * coarse.value[j1 * coarse.columns + i0] +
+          0.0625 * coarse.value[j1 * coarse.columns + i1];
       }
     }
   }

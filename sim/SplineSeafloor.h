@@ -52,14 +52,14 @@ private:
   Rectangle Bounds;
   glm::dvec2 Spacing{ 1.0 };
   glm::dvec2 InverseSpacing{ 1.0 };
-  glm::dvec2 LastCell{ 0.0 };              // its column and row
+  glm::dvec2 LastCell{ 0.0 }; // its column and row
   std::size_t CellColumns = 0;
   std::size_t CellRows = 0;
-  std::size_t CoefficientColumns = 0;      // cells + 3
-  std::vector<double> Coefficients;        // (cells + 3) in each direction, x fastest
-  std::vector<unsigned char> HoleCell;     // one a cell; empty without holes
+  std::size_t CoefficientColumns = 0;  // cells + 3
+  std::vector<double> Coefficients;    // (cells + 3) in each direction, x fastest
+  std::vector<unsigned char> HoleCell; // one a cell; empty without holes
   std::size_t BlockColumns = 0;
-  std::vector<double> BlockHighest;        // bounds of the spline over blocks of cells
+  std::vector<double> BlockHighest; // bounds of the spline over blocks of cells
   std::vector<double> BlockLowest;
 };
 
