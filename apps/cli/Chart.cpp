@@ -1,0 +1,144 @@
+#include "Chart.h"
+
+#include "ChartItem.h"
+#include "VirtualDisplay.h"
+
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkImageShrink3D.h>
+#include <vtkJPEGWriter.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+// Sizes in units of the type: what stands around the map.
+constexpr double LeftMargin = 6.0;
+constexpr double RightMargin = 1.2;
+constexpr double TopMargin = 5.2;
+constexpr double BottomMargin = 4.4;
+constexpr double ColumnGap = 1.8;
+constexpr double ColumnWidth = 12.5;
+
+// Units that the picture must have across and upwards to hold the parts beside the map.
+constexpr double LeastAcross = 60.0;
+constexpr double LeastUp = 50.0;
+constexpr double UnitsAcross = 84.0;
+
+constexpr int StandardWidth = 1600;
+constexpr int TallestStandard = 2000;
+
+// A picture is drawn larger and averaged down: smooth edges on any graphics driver.
+constexpr int Oversampling = 2;
+constexpr int LargestOversampled = 4000;
+
+// The layout of a picture that is drawn `factor` times as large.
+ChartLayout enlarged(ChartLayout layout, int factor)
+{
+  layout.width *= factor;
+  layout.height *= factor;
+  layout.unit *= factor;
+  for (PixelBox* box : { &layout.map, &layout.column })
+  {
+    box->x *= factor;
+    box->y *= factor;
+    box->width *= factor;
+    box->height *= factor;
+  }
+  return layout;
+}
+
+}
+
+ChartLayout layOutChart(const std::optional<std::array<int, 2>>& size, double aspect)
+{
+  const double across = LeftMargin + ColumnGap + ColumnWidth + RightMargin;
+  const double up = TopMargin + BottomMargin;
+  ChartLayout layout;
+  if (size)
+  {
+    layout.width = (*size)[0];
+    layout.height = (*size)[1];
+    layout.unit = std::min(layout.width / UnitsAcross, layout.height / LeastUp);
+  }
+  else
+  {
+    layout.unit = StandardWidth / UnitsAcross;
+    const double mapWidth = StandardWidth - across * layout.unit;
+    const double height =
+      std::clamp(mapWidth * aspect + up * layout.unit, LeastUp * layout.unit, double(TallestStandard));
+    const double width = (height - up * layout.unit) / aspect + across * layout.unit;
+    layout.width = static_cast<int>(std::clamp(width, LeastAcross * layout.unit, double(StandardWidth)));
+    layout.height = static_cast<int>(height);
+  }
+  const double room = layout.width - across * layout.unit;
+  const double roomUp = layout.height - up * layout.unit;
+  // Whole pixels keep the frame sharp.
+  layout.map.width = std::floor(std::min(room, roomUp / aspect));
+  layout.map.height = std::max(1.0, std::floor(layout.map.width * aspect));
+  layout.map.x = std::floor(LeftMargin * layout.unit + 0.5 * (room - layout.map.width));
+  layout.map.y = std::floor(BottomMargin * layout.unit + 0.5 * (roomUp - layout.map.height));
+  layout.column.x = layout.map.x + layout.map.width + ColumnGap * layout.unit;
+  layout.column.width = ColumnWidth * layout.unit;
+  layout.column.y = 1.5 * layout.unit;
+  layout.column.height = layout.height - (TopMargin + 1.5) * layout.unit;
+  return layout;
+}
+
+bool drawChart(const ChartContent& content, const ChartLayout& layout, const std::string& path, bool jpeg)
+{
+  const int factor = std::max(layout.width, layout.height) <= LargestOversampled ? Oversampling : 1;
+  vtkNew<ChartItem> item;
+  item->setContent(content, enlarged(layout, factor));
+
+  const VirtualDisplay display;
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetShowWindow(false);
+  window->SetMultiSamples(8);
+  window->SetSize(layout.width * factor, layout.height * factor);
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetBackground(1.0, 1.0, 1.0);
+  window->AddRenderer(renderer);
+  vtkNew<vtkContextActor> actor;
+  actor->GetScene()->AddItem(item);
+  renderer->AddActor(actor);
+  window->Render();
+
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(window);
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetShrinkFactors(factor, factor, 1);
+  shrink->MeanOn();
+
+  vtkSmartPointer<vtkImageWriter> writer;
+  if (jpeg)
+  {
+    vtkNew<vtkJPEGWriter> jpegWriter;
+    jpegWriter->SetQuality(95);
+    writer = jpegWriter;
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkPNGWriter>::New();
+  }
+  writer->SetInputConnection(shrink->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  writer->Write();
+  return writer->GetErrorCode() == 0;
+}
+
+}

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace swellray::cli
+{
+
+/** Everything that a chart shows; pointers may be null but for the seafloor. */
+struct ChartContent
+{
+  vtkImageData* seafloor = nullptr; ///< point array Elevation
+  vtkPolyData* contours = nullptr;  ///< cell array Depth
+  vtkPolyData* rays = nullptr;
+  vtkPolyData* crests = nullptr;    ///< cell array CrestNumber
+  double waterLevel = 0.0;          ///< m
+  std::string colorBy;              ///< point array of the rays; empty: one colour
+  std::string title;
+};
+
+/** Rectangle in pixels, from the lower left corner of the picture. */
+struct PixelBox
+{
+  double x = 0.0;
+  double y = 0.0;
+  double width = 0.0;
+  double height = 0.0;
+};
+
+/** Where the parts of a chart lie. */
+struct ChartLayout
+{
+  int width = 0;     ///< of the picture, pixels
+  int height = 0;
+  double unit = 0.0; ///< size of the type, pixels; every other size follows it
+  PixelBox map;
+  PixelBox column;   ///< beside the map: arrows, colour scales, legend, scale bar
+};
+
+/**
+ * Lay out a chart.
+ * @param size of the picture, pixels; none: 1600 wide and as high as the scene asks for
+ * @param aspect height of the scene over its width
+ */
+ChartLayout layOutChart(const std::optional<std::array<int, 2>>& size, double aspect);
+
+/**
+ * Draw a chart.
+ * @param path file to write
+ * @param jpeg JPEG instead of PNG
+ * @throws WorkError where there is no display
+ * @return false where the file could not be written
+ */
+bool drawChart(const ChartContent& content, const ChartLayout& layout, const std::string& path, bool jpeg);
+
+}

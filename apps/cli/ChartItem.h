@@ -1,0 +1,63 @@
+#pragma once
+
+#include "Chart.h"
+#include "ChartLines.h"
+#include "SeafloorPicture.h"
+
+#include <vtkContextItem.h>
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <functional>
+
+class vtkContext2D;
+
+namespace swellray::cli
+{
+
+/** Paints a chart: map with frame, heading, and the column with arrows, colour scales, legend and scale bar. */
+class ChartItem : public vtkContextItem
+{
+public:
+  static ChartItem* New();
+  vtkTypeMacro(ChartItem, vtkContextItem)
+
+  /** @throws WorkError where the rays lack the array to colour them by */
+  void setContent(const ChartContent& content, const ChartLayout& layout);
+
+  bool Paint(vtkContext2D* painter) override;
+
+private:
+  enum class Align
+  {
+    Left,
+    Center,
+    Right,
+  };
+
+  void paintMap(vtkContext2D* painter);
+  void paintLine(vtkContext2D* painter, const PixelLine& line);
+  void paintAxes(vtkContext2D* painter);
+  void paintHeading(vtkContext2D* painter);
+  double paintArrows(vtkContext2D* painter, double top);
+  void paintArrow(vtkContext2D* painter, double x, double y, double bearing, const std::string& label, bool hollow);
+  void paintColorScale(vtkContext2D* painter, double top, double height, const std::string& title, const Range& range,
+    const std::function<Rgb(double)>& color, bool downwards, bool above, bool below);
+  double paintLegend(vtkContext2D* painter, double bottom);
+  double paintScaleBar(vtkContext2D* painter, double bottom);
+
+  void text(vtkContext2D* painter, double x, double y, const std::string& words, double size, Align align,
+    double room = 0.0, bool bold = false, double turn = 0.0);
+  void pen(vtkContext2D* painter, const Rgb& color, double width, double opacity = 1.0);
+  void brush(vtkContext2D* painter, const Rgb& color);
+
+  ChartContent Content;
+  ChartLayout Layout;
+  RayColors Colors;
+  ChartLines Lines;
+  SeafloorColors Bed;
+  DepthRange Depths;
+  vtkSmartPointer<vtkImageData> Background;
+};
+
+}

@@ -1,0 +1,422 @@
+// The only file that includes CLI11, which takes seconds to compile.
+#include "CommandLine.h"
+
+#include "Failure.h"
+#include "Options.h"
+#include "Values.h"
+#include "Version.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+constexpr std::size_t HelpColumn = 34;
+
+std::string lineAsTyped(int argc, char** argv)
+{
+  std::string line = "swellray";
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string word = argv[i];
+    const bool plain = !word.empty() && word.find_first_of(" \t\n'\"\\$&|;<>()*?[]{}#!`") == std::string::npos;
+    std::string quoted;
+    for (const char c : word)
+    {
+      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    }
+    line += " " + (plain ? word : "'" + quoted + "'");
+  }
+  return line;
+}
+
+std::vector<std::string> namesOf(const OptionSpec& spec)
+{
+  return CLI::detail::split_names(spec.name);
+}
+
+// One option of a command, and whether the command line gave it.
+struct Registered
+{
+  OptionSpec spec;
+  CLI::Option* option = nullptr;
+};
+
+Registered registerOption(CLI::App& app, const OptionSpec& spec)
+{
+  std::string help = spec.help;
+  if (spec.required)
+  {
+    help += " (required)";
+  }
+  else if (!spec.standard.empty())
+  {
+    help += " [" + spec.standard + "]";
+  }
+  Registered registered{ spec, nullptr };
+  if (spec.value.empty())
+  {
+    registered.option = app.add_flag_function(spec.name, [](std::int64_t) {}, help);
+  }
+  else
+  {
+    registered.option = app.add_option(spec.name, [](const CLI::results_t&) { return true; }, help);
+    registered.option->type_name(spec.value)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  }
+  registered.option->group(spec.group);
+  return registered;
+}
+
+class Parser
+{
+public:
+  Parser(int argc, char** argv);
+  std::optional<Request> read();
+
+private:
+  struct CommandApp
+  {
+    CommandSpec spec;
+    CLI::App* app = nullptr;
+    std::vector<Registered> options;
+    CLI::Option* seafloor = nullptr;
+  };
+
+  void addCommand(const CommandSpec& spec);
+  void parse();
+  void refuseExtras() const;
+  void refuseExtra(const std::string& extra, const std::vector<Registered>& known, const std::string& where) const;
+  void take(Registered& registered);
+  void takeConfiguration();
+  void takeConfigurationItem(const CLI::ConfigItem& item);
+  bool belongsToAnyCommand(const std::string& option) const;
+
+  int Argc;
+  char** Argv;
+  Request Result;
+  std::string ConfigFile;
+  CLI::App App;
+  std::vector<Registered> Common;
+  std::vector<CommandApp> Commands;
+  CommandApp* Chosen = nullptr;
+};
+
+Parser::Parser(int argc, char** argv)
+  : Argc(argc)
+  , Argv(argv)
+  , App("Wave refraction over real seafloors: rays, heights and crests as VTK data and pictures.", "swellray")
+{
+  this->Result.commandLine = lineAsTyped(argc, argv);
+  this->App.get_formatter()->column_width(HelpColumn);
+  this->App.set_help_flag("-h,--help", "show this help");
+  this->App.set_version_flag("--version", [] { return versionText(); }, "show the version and the libraries of this build");
+  this->App.require_subcommand(0, 1);
+  this->App.allow_extras();
+  this->App.footer("\n'swellray COMMAND --help' shows the options of a command and examples.\n"
+                   "SEAFLOOR is a file (any raster that GDAL reads, .vti) or a built-in form; see 'swellray list'.\n\n"
+                   "Examples:\n"
+                   "  swellray info harbour.tif\n"
+                   "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp\n"
+                   "  swellray render harbour.tif --rays rays.vtp -o picture.png\n\n"
+                   "Exit codes: 0 done, 1 the work failed, 2 the call is wrong.");
+
+  OptionSpec config{ "--config", "FILE.toml", "read options from this file", "", "General", false, {} };
+  config.set = [this](const std::string& text) { this->ConfigFile = text; };
+  std::vector<OptionSpec> common{ config };
+  for (OptionSpec& spec : commonOptions(this->Result))
+  {
+    common.push_back(spec);
+  }
+  for (const OptionSpec& spec : common)
+  {
+    this->Common.push_back(registerOption(this->App, spec));
+  }
+  for (CommandSpec& spec : commandSpecs(this->Result))
+  {
+    spec.options.insert(spec.options.end(), common.begin(), common.end());
+    this->addCommand(spec);
+  }
+}
+
+void Parser::addCommand(const CommandSpec& spec)
+{
+  CommandApp command;
+  command.spec = spec;
+  command.app = this->App.add_subcommand(spec.name, spec.help);
+  command.app->set_help_flag("-h,--help", "show this help");
+  command.app->footer("\nExamples:\n" + spec.examples);
+  command.app->allow_extras();
+  if (spec.takesSeafloor)
+  {
+    command.seafloor = command.app->add_option("seafloor", [](const CLI::results_t&) { return true; },
+      "a file, or a built-in form NAME:key=value,... (see 'swellray list')");
+    command.seafloor->type_name("")->expected(1);
+  }
+  for (const OptionSpec& option : spec.options)
+  {
+    command.options.push_back(registerOption(*command.app, option));
+  }
+  this->Commands.push_back(std::move(command));
+}
+
+void Parser::parse()
+{
+  try
+  {
+    this->App.parse(this->Argc, this->Argv);
+  }
+  catch (const CLI::ArgumentMismatch& mismatch)
+  {
+    // CLI11 says "--period: 1 required S missing"; the option's name is all that is of use in it.
+    const std::string text = mismatch.what();
+    throw UsageError(text.substr(0, text.find(':')) + " needs a value");
+  }
+}
+
+void Parser::refuseExtra(
+  const std::string& extra, const std::vector<Registered>& known, const std::string& where) const
+{
+  const std::string word = extra.substr(0, extra.find('='));
+  if (word.size() < 2 || word[0] != '-')
+  {
+    throw UsageError(fmt::format("unexpected argument '{}'{}", extra, where));
+  }
+  std::vector<std::string> names{ "--help" };
+  for (const Registered& registered : known)
+  {
+    const auto own = namesOf(registered.spec);
+    names.insert(names.end(), own.begin(), own.end());
+  }
+  throw UsageError(
+    fmt::format("unknown option '{}'{}; did you mean '{}'?", word, where, suggestion(word, names)));
+}
+
+void Parser::refuseExtras() const
+{
+  if (!this->Chosen)
+  {
+    std::vector<std::string> names;
+    for (const CommandApp& command : this->Commands)
+    {
+      names.push_back(command.spec.name);
+    }
+    for (const std::string& extra : this->App.remaining())
+    {
+      if (!extra.empty() && extra[0] == '-')
+      {
+        this->refuseExtra(extra, this->Common, "");
+      }
+      throw UsageError(fmt::format("unknown command '{}'; did you mean '{}'?", extra, suggestion(extra, names)));
+    }
+    throw UsageError("no command given; the commands are " + alternatives(names));
+  }
+  const auto before = this->App.remaining();
+  if (!before.empty())
+  {
+    this->refuseExtra(before.front(), this->Common, " before the command");
+  }
+  const auto after = this->Chosen->app->remaining();
+  if (!after.empty())
+  {
+    // An option is the likelier slip: its value, left over beside it, is only a consequence.
+    const auto option = std::find_if(after.begin(), after.end(), [](const std::string& w) { return w.rfind("--", 0) == 0; });
+    this->refuseExtra(option == after.end() ? after.front() : *option, this->Chosen->options,
+      fmt::format(" for '{}'", this->Chosen->spec.name));
+  }
+}
+
+void Parser::take(Registered& registered)
+{
+  if (registered.option->count() == 0)
+  {
+    return;
+  }
+  if (registered.spec.value.empty())
+  {
+    registered.spec.set("");
+    return;
+  }
+  const auto values = registered.option->results();
+  if (values.size() > 1)
+  {
+    throw UsageError(registered.spec.longName() + " is given more than once");
+  }
+  registered.spec.set(values.front());
+}
+
+bool Parser::belongsToAnyCommand(const std::string& option) const
+{
+  for (const CommandApp& command : this->Commands)
+  {
+    for (const Registered& registered : command.options)
+    {
+      if (registered.spec.longName() == option)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
+{
+  if (item.name == "++" || item.name == "--")
+  {
+    return; // CLI11's marks where a section begins and ends
+  }
+  if (!item.parents.empty() && item.parents.front() != this->Chosen->spec.name)
+  {
+    const bool known = std::any_of(this->Commands.begin(), this->Commands.end(),
+      [&](const CommandApp& command) { return command.spec.name == item.parents.front(); });
+    if (!known)
+    {
+      throw UsageError(fmt::format("{}: unknown section [{}]; a section has the name of a command", this->ConfigFile,
+        item.parents.front()));
+    }
+    return;
+  }
+  std::string value;
+  for (const std::string& input : item.inputs)
+  {
+    value += (value.empty() ? "" : ",") + input;
+  }
+  if (item.name == "seafloor" && this->Chosen->seafloor)
+  {
+    if (this->Chosen->seafloor->count() == 0)
+    {
+      this->Result.seafloor.source = value;
+    }
+    return;
+  }
+  const std::string name = "--" + item.name;
+  std::vector<std::string> names;
+  for (Registered& registered : this->Chosen->options)
+  {
+    names.push_back(registered.spec.longName().substr(2));
+    if (registered.spec.longName() != name)
+    {
+      continue;
+    }
+    // The command line wins.
+    if (registered.option->count() == 0 && !(registered.spec.value.empty() && value == "false"))
+    {
+      try
+      {
+        registered.spec.set(value);
+        registered.option->add_result(value);
+      }
+      catch (const UsageError& error)
+      {
+        throw UsageError(this->ConfigFile + ": " + error.what());
+      }
+    }
+    return;
+  }
+  // A file may serve several commands, so an option of another one is no mistake.
+  if (!this->belongsToAnyCommand(name))
+  {
+    throw UsageError(fmt::format(
+      "{}: unknown option '{}'; did you mean '{}'?", this->ConfigFile, item.name, suggestion(item.name, names)));
+  }
+}
+
+void Parser::takeConfiguration()
+{
+  std::ifstream file(this->ConfigFile);
+  if (!file.good() || file.peek() == std::ifstream::traits_type::eof())
+  {
+    throw WorkError(fmt::format("cannot read the configuration file '{}'", this->ConfigFile));
+  }
+  std::vector<CLI::ConfigItem> items;
+  try
+  {
+    items = CLI::ConfigTOML().from_config(file);
+  }
+  catch (const CLI::Error& error)
+  {
+    throw UsageError(fmt::format("{}: {}", this->ConfigFile, error.what()));
+  }
+  for (const CLI::ConfigItem& item : items)
+  {
+    this->takeConfigurationItem(item);
+  }
+}
+
+std::optional<Request> Parser::read()
+{
+  try
+  {
+    this->parse();
+  }
+  catch (const CLI::Success& asked)
+  {
+    // Help or version.
+    this->App.exit(asked);
+    return {};
+  }
+  for (CommandApp& command : this->Commands)
+  {
+    if (command.app->parsed())
+    {
+      this->Chosen = &command;
+    }
+  }
+  if (!this->Chosen && this->Argc == 1)
+  {
+    std::fputs(this->App.help().c_str(), stderr);
+    throw UsageError("no command given");
+  }
+  this->refuseExtras();
+  this->Result.command = this->Chosen->spec.command;
+  for (Registered& registered : this->Common)
+  {
+    this->take(registered);
+  }
+  for (Registered& registered : this->Chosen->options)
+  {
+    this->take(registered);
+  }
+  if (this->Chosen->seafloor && this->Chosen->seafloor->count() > 0)
+  {
+    this->Result.seafloor.source = this->Chosen->seafloor->results().front();
+  }
+  if (!this->ConfigFile.empty())
+  {
+    this->takeConfiguration();
+  }
+
+  const std::string& name = this->Chosen->spec.name;
+  if (this->Chosen->seafloor && this->Result.seafloor.source.empty())
+  {
+    throw UsageError(fmt::format("{} needs a SEAFLOOR: a file or a built-in form (see 'swellray list')", name));
+  }
+  for (const Registered& registered : this->Chosen->options)
+  {
+    const bool needed = registered.spec.required ||
+      (this->Result.rays.wanted && (registered.spec.name == "--direction" || registered.spec.name == "--height"));
+    if (needed && registered.option->count() == 0)
+    {
+      throw UsageError(fmt::format("{} needs {} {}", name, registered.spec.longName(), registered.spec.value));
+    }
+  }
+  checkTogether(this->Result);
+  return this->Result;
+}
+
+}
+
+std::optional<Request> readCommandLine(int argc, char** argv)
+{
+  return Parser(argc, argv).read();
+}
+
+}

@@ -1,0 +1,63 @@
+#include "Console.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <unistd.h>
+
+namespace swellray::cli
+{
+
+Console::Console(bool quiet)
+  : Quiet(quiet)
+  , Bar(!quiet && isatty(STDERR_FILENO) == 1)
+{
+}
+
+void Console::say(const std::string& line) const
+{
+  if (!this->Quiet)
+  {
+    std::printf("%s\n", line.c_str());
+    std::fflush(stdout);
+  }
+}
+
+void Console::warn(const std::string& line)
+{
+  this->endProgress();
+  std::fprintf(stderr, "swellray: warning: %s\n", line.c_str());
+}
+
+void Console::progress(const std::string& task, double share)
+{
+  if (!this->Bar)
+  {
+    return;
+  }
+  constexpr int Width = 40;
+  const double known = std::clamp(share, 0.0, 1.0);
+  const int full = static_cast<int>(std::lround(known * Width));
+  const std::string bar = fmt::format("\r{:<10} [{}{}] {:3.0f} %", task, std::string(static_cast<std::size_t>(full), '#'),
+    std::string(static_cast<std::size_t>(Width - full), ' '), 100.0 * known);
+  if (bar != this->Shown)
+  {
+    std::fputs(bar.c_str(), stderr);
+    std::fflush(stderr);
+    this->Shown = bar;
+  }
+}
+
+void Console::endProgress()
+{
+  if (!this->Shown.empty())
+  {
+    std::fprintf(stderr, "\r%*s\r", static_cast<int>(this->Shown.size()), "");
+    this->Shown.clear();
+  }
+}
+
+}

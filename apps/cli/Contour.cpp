@@ -1,0 +1,41 @@
+#include "Commands.h"
+
+#include "Pipeline.h"
+
+#include <fmt/format.h>
+
+#include <vtkCellData.h>
+#include <vtkPolyData.h>
+
+#include <set>
+
+namespace swellray::cli
+{
+
+void runContour(const Request& request, Console& console)
+{
+  OutputFile file(request.output.file, inputFiles(request));
+  Pipeline pipeline(request, console);
+  pipeline.readSeafloor();
+  vtkPolyData* contours = pipeline.makeContours(request.seafloor.options.waterLevel);
+  std::set<double> depths;
+  if (vtkDataArray* array = contours->GetCellData()->GetArray("Depth"))
+  {
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      depths.insert(array->GetComponent(i, 0));
+    }
+  }
+  writeLines(contours, file, request, console);
+  file.commit();
+  if (depths.empty())
+  {
+    console.warn("no contour line at the depths asked for lies in this seafloor; the file has no lines");
+    return;
+  }
+  console.say(fmt::format("{} contour lines at {} depths, {:g} to {:g} m, {} points", contours->GetNumberOfCells(),
+    depths.size(), *depths.begin(), *depths.rbegin(), contours->GetNumberOfPoints()));
+  console.say(fmt::format("wrote {} (open it in ParaView)", file.path()));
+}
+
+}

@@ -1,0 +1,146 @@
+#include "OutputFile.h"
+
+#include "Failure.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+// What a signal handler may touch: names in fixed storage.
+struct Unfinished
+{
+  std::atomic<bool> used{ false };
+  char path[4096] = {};
+};
+std::array<Unfinished, 8> unfinished;
+
+void removeUnfinished(int signal)
+{
+  for (const Unfinished& file : unfinished)
+  {
+    if (file.used)
+    {
+      unlink(file.path);
+    }
+  }
+  std::signal(signal, SIG_DFL);
+  raise(signal);
+}
+
+int remember(const std::string& path)
+{
+  for (std::size_t i = 0; i < unfinished.size(); ++i)
+  {
+    if (!unfinished[i].used && path.size() < sizeof unfinished[i].path)
+    {
+      std::memcpy(unfinished[i].path, path.c_str(), path.size() + 1);
+      unfinished[i].used = true;
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+}
+
+OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& inputs)
+  : Path(path)
+  , Target(path)
+{
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (fs::exists(this->Target, ignored))
+  {
+    if (!fs::is_regular_file(this->Target, ignored))
+    {
+      throw WorkError(fmt::format("cannot write '{}': it is not a regular file", path));
+    }
+    for (const std::string& input : inputs)
+    {
+      if (fs::equivalent(this->Target, input, ignored))
+      {
+        throw WorkError(fmt::format("'{}' is an input of this call; choose another file to write", path));
+      }
+    }
+    if (access(path.c_str(), W_OK) != 0)
+    {
+      throw WorkError(fmt::format("cannot write '{}': {}", path, std::strerror(errno)));
+    }
+    // Renaming onto a link would replace the link.
+    this->Target = fs::canonical(this->Target);
+  }
+  this->Temporary =
+    (this->Target.parent_path() / fmt::format(".{}.{}", this->Target.filename().string(), getpid())).string();
+  this->Slot = remember(this->Temporary);
+  const int file = open(this->Temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    const int error = errno;
+    if (this->Slot >= 0)
+    {
+      unfinished[static_cast<std::size_t>(this->Slot)].used = false;
+    }
+    throw WorkError(fmt::format("cannot write '{}': {}", path, std::strerror(error)));
+  }
+  close(file);
+}
+
+OutputFile::~OutputFile()
+{
+  if (!this->Temporary.empty())
+  {
+    unlink(this->Temporary.c_str());
+  }
+  if (this->Slot >= 0)
+  {
+    unfinished[static_cast<std::size_t>(this->Slot)].used = false;
+  }
+}
+
+void OutputFile::fail(const std::string& reason) const
+{
+  throw WorkError(fmt::format("cannot write '{}': {}", this->Path, reason));
+}
+
+void OutputFile::commit()
+{
+  const int file = open(this->Temporary.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool stored = file >= 0 && fsync(file) == 0;
+  const int error = errno;
+  if (file >= 0)
+  {
+    close(file);
+  }
+  if (!stored)
+  {
+    this->fail(std::strerror(error));
+  }
+  if (rename(this->Temporary.c_str(), this->Target.c_str()) != 0)
+  {
+    this->fail(std::strerror(errno));
+  }
+  this->Temporary.clear();
+}
+
+void installSignalHandlers()
+{
+  std::signal(SIGINT, removeUnfinished);
+  std::signal(SIGTERM, removeUnfinished);
+  std::signal(SIGHUP, removeUnfinished);
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+}

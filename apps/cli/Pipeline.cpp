@@ -1,0 +1,284 @@
+#include "Pipeline.h"
+
+#include "Failure.h"
+#include "FieldValues.h"
+#include "FilterRun.h"
+
+#include "bathymetry/SeafloorReport.h"
+
+#include <fmt/format.h>
+
+#include <vtkErrorCode.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+int edgeOf(EdgeRule rule)
+{
+  switch (rule)
+  {
+    case EdgeRule::Edge:
+      return vtkSwellRayTracer::EDGE_EDGE;
+    case EdgeRule::None:
+      return vtkSwellRayTracer::EDGE_NONE;
+    default:
+      return vtkSwellRayTracer::EDGE_CONTOURS;
+  }
+}
+
+int insertionOf(InsertionRule rule)
+{
+  switch (rule)
+  {
+    case InsertionRule::None:
+      return vtkSwellRayTracer::INSERT_NONE;
+    case InsertionRule::Interpolate:
+      return vtkSwellRayTracer::INSERT_INTERPOLATE;
+    default:
+      return vtkSwellRayTracer::INSERT_RETRACE;
+  }
+}
+
+void setUp(vtkSwellSeafloorReader* reader, const SeafloorRequest& seafloor)
+{
+  const SeafloorOptions& options = seafloor.options;
+  reader->SetFileName(seafloor.source.c_str());
+  reader->SetWaterLevel(options.waterLevel);
+  reader->SetPositive(options.positive == Positive::Up ? vtkSwellSeafloorReader::UP
+      : options.positive == Positive::Down             ? vtkSwellSeafloorReader::DOWN
+                                                       : vtkSwellSeafloorReader::AUTO);
+  reader->SetCRS(options.crs.empty() ? nullptr : options.crs.c_str());
+  reader->SetVariable(options.variable.empty() ? nullptr : options.variable.c_str());
+  reader->SetSmooth(options.smooth);
+  if (options.crop)
+  {
+    const auto& crop = *options.crop;
+    reader->UseCropOn();
+    reader->SetCrop(crop[0], crop[1], crop[2], crop[3]);
+  }
+  if (options.resample)
+  {
+    reader->SetResample(*options.resample);
+  }
+  if (options.nodata)
+  {
+    reader->UseNoDataOn();
+    reader->SetNoData(*options.nodata);
+  }
+  if (options.maxGap)
+  {
+    reader->SetMaxGap(*options.maxGap);
+  }
+}
+
+void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
+{
+  tracer->SetPeriod(rays.wave.period);
+  tracer->SetDirectionFrom(rays.wave.directionFrom);
+  tracer->SetWaveHeight(rays.wave.height);
+  tracer->SetOffshoreDepth(rays.wave.offshoreDepth);
+  tracer->SetGravity(rays.wave.gravity);
+  tracer->SetWaterLevel(waterLevel);
+  const TraceOptions& trace = rays.trace;
+  tracer->SetSpacing(trace.spacing.value_or(0.0));
+  tracer->SetMaxSpacing(trace.maxSpacing.value_or(0.0));
+  tracer->SetStepsPerWave(trace.stepsPerWave);
+  tracer->SetStep(trace.step.value_or(0.0));
+  tracer->SetScheme(trace.scheme == TraceScheme::Snell ? vtkSwellRayTracer::SNELL : vtkSwellRayTracer::ODE);
+  tracer->SetTolerance(trace.tolerance);
+  tracer->SetInsertion(insertionOf(trace.insertion));
+  tracer->SetLeeRays(trace.leeRays);
+  if (trace.flatHeight)
+  {
+    tracer->SetFlatHeight(*trace.flatHeight);
+  }
+  tracer->SetAgroundDepth(trace.agroundDepth.value_or(0.0));
+  tracer->SetEdge(edgeOf(trace.edge));
+  if (trace.shoreNormal)
+  {
+    tracer->UseShoreNormalOn();
+    tracer->SetShoreNormal(*trace.shoreNormal);
+  }
+  tracer->SetMaximumNumberOfRays(static_cast<vtkIdType>(trace.maxRays));
+  tracer->SetMaximumNumberOfFronts(static_cast<vtkIdType>(trace.maxFronts));
+}
+
+void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
+{
+  heights->SetAmplitudeRule(
+    options.amplitude == AmplitudeRule::Tube ? vtkSwellWaveHeight::TUBE : vtkSwellWaveHeight::SPACING);
+  heights->SetBreakingRule(
+    options.breaking == BreakingRule::None ? vtkSwellWaveHeight::NO_BREAKING : vtkSwellWaveHeight::GAMMA_BREAKING);
+  heights->SetGamma(options.gamma);
+  heights->SetMaxRefraction(options.maxRefraction);
+}
+
+// vtkXMLWriter does not notice every failed write, so look for the end of the file.
+bool isComplete(const std::string& path)
+{
+  const std::string ending = "</VTKFile>";
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  constexpr std::streamoff Tail = 32;
+  if (!file || size < Tail)
+  {
+    return false;
+  }
+  std::string tail(static_cast<std::size_t>(Tail), '\0');
+  file.seekg(size - Tail);
+  file.read(tail.data(), Tail);
+  return file.good() && tail.find(ending) != std::string::npos;
+}
+
+}
+
+Pipeline::Pipeline(const Request& request, Console& console)
+  : Asked(request)
+  , Screen(console)
+{
+  setUp(this->Reader, request.seafloor);
+  setUp(this->Tracer, request.rays, request.seafloor.options.waterLevel);
+  setUp(this->Heights, request.rays.height);
+  for (const double level : request.contour.levels)
+  {
+    this->Contours->AddLevel(level);
+  }
+  this->Contours->SetInterval(request.contour.interval.value_or(0.0));
+  this->Contours->SetSimplify(request.contour.simplify);
+  this->Contours->SetInputConnection(this->Reader->GetOutputPort());
+  this->Tracer->SetInputConnection(this->Reader->GetOutputPort());
+  this->Heights->SetInputConnection(this->Tracer->GetOutputPort());
+}
+
+vtkSwellSeafloorReader* Pipeline::readSeafloor()
+{
+  try
+  {
+    runFilter(this->Reader, "reading", this->Screen);
+  }
+  catch (const WorkError& error)
+  {
+    if (this->Reader->GetErrorCode() == vtkErrorCode::UserError)
+    {
+      throw UsageError(error.what());
+    }
+    throw;
+  }
+  return this->Reader;
+}
+
+vtkPolyData* Pipeline::makeContours(double waterLevel)
+{
+  this->Contours->SetWaterLevel(waterLevel);
+  runFilter(this->Contours, "contours", this->Screen);
+  return this->Contours->GetOutput();
+}
+
+vtkPolyData* Pipeline::traceRays()
+{
+  runFilter(this->Tracer, "tracing", this->Screen);
+  return this->Tracer->GetOutput();
+}
+
+vtkPolyData* Pipeline::computeHeights()
+{
+  runFilter(this->Heights, "heights", this->Screen);
+  return this->Heights->GetOutput();
+}
+
+vtkPolyData* Pipeline::makeCrests(vtkPolyData* rays)
+{
+  if (rays)
+  {
+    this->Crests->SetInputData(rays);
+  }
+  else
+  {
+    this->Crests->SetInputConnection(this->Heights->GetOutputPort());
+  }
+  runFilter(this->Crests, "crests", this->Screen);
+  return this->Crests->GetOutput();
+}
+
+std::vector<std::string> inputFiles(const Request& request)
+{
+  std::vector<std::string> files;
+  for (const std::string& file : { request.seafloor.source, request.render.rays, request.render.crests })
+  {
+    std::error_code none;
+    if (!file.empty() && std::filesystem::exists(file, none))
+    {
+      files.push_back(file);
+    }
+  }
+  return files;
+}
+
+void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console)
+{
+  setFieldText(lines, "CommandLine", request.commandLine);
+  setFieldText(lines, "SwellrayVersion", SWELLRAY_VERSION);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(lines);
+  writer->SetFileName(file.temporary().c_str());
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetHeaderTypeToUInt64();
+  if (request.output.compress)
+  {
+    writer->SetCompressorTypeToZLib();
+  }
+  else
+  {
+    writer->SetCompressorTypeToNone();
+  }
+  std::string reason;
+  try
+  {
+    runFilter(writer, "writing", console);
+  }
+  catch (const WorkError& error)
+  {
+    reason = error.what();
+  }
+  const unsigned long code = writer->GetErrorCode();
+  if (code != vtkErrorCode::NoError)
+  {
+    reason = code == vtkErrorCode::OutOfDiskSpaceError ? "no space left on the device"
+                                                       : vtkErrorCode::GetStringFromErrorCode(code);
+  }
+  if (!reason.empty() || !isComplete(file.temporary()))
+  {
+    file.fail(reason.empty() ? "the file is not complete" : reason);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console)
+{
+  if (!std::ifstream(path).good())
+  {
+    throw WorkError(fmt::format("cannot read '{}': no such file, or it may not be read", path));
+  }
+  vtkNew<vtkXMLPolyDataReader> reader;
+  reader->SetFileName(path.c_str());
+  try
+  {
+    runFilter(reader, "reading", console);
+  }
+  catch (const WorkError&)
+  {
+    throw WorkError(fmt::format("cannot read '{}': it is no .vtp file, or damaged", path));
+  }
+  return reader->GetOutput();
+}
+
+}

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "Console.h"
+#include "OutputFile.h"
+#include "Request.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkSwellContours.h>
+#include <vtkSwellCrests.h>
+#include <vtkSwellRayTracer.h>
+#include <vtkSwellSeafloorReader.h>
+#include <vtkSwellWaveHeight.h>
+
+#include <memory>
+
+class vtkPolyData;
+
+namespace swellray::cli
+{
+
+/** The filters that one call needs, set up from its request. Each is run by the step that asks for its output. */
+class Pipeline
+{
+public:
+  Pipeline(const Request& request, Console& console);
+
+  /**
+   * Read the seafloor, and say what a user should know about it.
+   * @throws WorkError; UsageError where the call is wrong about it
+   */
+  vtkSwellSeafloorReader* readSeafloor();
+
+  vtkPolyData* makeContours(double waterLevel);
+
+  /** Trace, without heights. @throws WorkError */
+  vtkPolyData* traceRays();
+
+  /** Heights on the rays that were traced. @throws WorkError */
+  vtkPolyData* computeHeights();
+
+  /** Crests of these rays, or of those traced. @throws WorkError */
+  vtkPolyData* makeCrests(vtkPolyData* rays = nullptr);
+
+private:
+  const Request& Asked;
+  Console& Screen;
+  vtkNew<vtkSwellSeafloorReader> Reader;
+  vtkNew<vtkSwellContours> Contours;
+  vtkNew<vtkSwellRayTracer> Tracer;
+  vtkNew<vtkSwellWaveHeight> Heights;
+  vtkNew<vtkSwellCrests> Crests;
+};
+
+/** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */
+std::vector<std::string> inputFiles(const Request& request);
+
+/** Write lines to the file's hidden name, with the command line and the version. @throws WorkError */
+void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console);
+
+/** Read a .vtp file. @throws WorkError */
+vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console);
+
+}

@@ -1,0 +1,87 @@
+#pragma once
+
+#include "bathymetry/SeafloorOptions.h"
+#include "sim/IncidentWave.h"
+#include "sim/WaveHeight.h"
+#include "sim/WaveTracer.h"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace swellray::cli
+{
+
+enum class Command
+{
+  Info,
+  Contour,
+  Trace,
+  List,
+  Render,
+};
+
+/** The seafloor and how to read it. */
+struct SeafloorRequest
+{
+  std::string source; ///< a file or NAME:key=value,...
+  SeafloorOptions options;
+};
+
+/** Which depths get a contour line; neither: none asked for. */
+struct ContourRequest
+{
+  std::vector<double> levels;     ///< depths, m
+  std::optional<double> interval; ///< m
+  double simplify = 0.0;          ///< m
+};
+
+/** Everything that rays depend on. */
+struct RayRequest
+{
+  bool wanted = false; ///< a period was given
+  IncidentWave wave;
+  TraceOptions trace;
+  HeightOptions height;
+  bool geometricCaustics = false;     ///< no cap of the refraction coefficient
+  std::optional<double> maxRefraction; ///< the cap where one was given
+};
+
+/** In place of a file of crest lines: make them from the rays that are drawn. */
+constexpr const char* CrestsFromRays = "auto";
+
+/** Look of the picture. */
+struct RenderRequest
+{
+  std::string rays;    ///< file to draw; empty: none
+  std::string crests;  ///< file to draw, or CrestsFromRays; empty: none
+  std::string colorBy = "WaveHeight";
+  std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
+  std::string title;   ///< empty: name of the seafloor
+};
+
+/** Files to write; empty: not asked for. */
+struct OutputRequest
+{
+  std::string file;
+  std::string crests;
+  bool compress = false;
+};
+
+/** One call of the program, checked. */
+struct Request
+{
+  Command command = Command::Info;
+  SeafloorRequest seafloor;
+  ContourRequest contour;
+  RayRequest rays;
+  RenderRequest render;
+  OutputRequest output;
+  bool json = false;
+  bool quiet = false;
+  int threads = 0; ///< 0: as many as the machine has
+  std::string commandLine; ///< as typed, for the files
+};
+
+}

@@ -1,0 +1,205 @@
+#include "SeafloorPicture.h"
+
+#include "ColorMap.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+// How strongly the light shows: enough to see the relief of land, a hint of it under water.
+constexpr double LandShading = 0.55;
+constexpr double WaterShading = 0.16;
+
+// The relief is exaggerated until its rms slope is this.
+constexpr double ShownSlope = 0.4;
+
+// Elevation and gradient at the nodes of the image.
+struct Relief
+{
+  int columns = 0;
+  int rows = 0;
+  std::vector<float> elevation;
+  std::vector<float> slopeX;
+  std::vector<float> slopeY;
+  double waterSlope = 0.0; // rms
+  double landSlope = 0.0;
+
+  std::size_t index(int i, int j) const
+  {
+    return static_cast<std::size_t>(j) * static_cast<std::size_t>(this->columns) + static_cast<std::size_t>(i);
+  }
+};
+
+std::vector<float> elevations(vtkImageData* seafloor)
+{
+  vtkDataArray* array = seafloor->GetPointData()->GetArray("Elevation");
+  std::vector<float> values(static_cast<std::size_t>(seafloor->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), 0));
+  }
+  return values;
+}
+
+// Slope between the two neighbours that have data, or 0.
+float slope(float before, float here, float after, double spacing)
+{
+  const bool left = std::isfinite(before);
+  const bool right = std::isfinite(after);
+  const float from = left ? before : here;
+  const float to = right ? after : here;
+  const int steps = (left ? 1 : 0) + (right ? 1 : 0);
+  return std::isfinite(here) && steps > 0 ? static_cast<float>((to - from) / (steps * spacing)) : 0.0F;
+}
+
+Relief makeRelief(vtkImageData* seafloor, double waterLevel)
+{
+  Relief relief;
+  int dimensions[3];
+  seafloor->GetDimensions(dimensions);
+  relief.columns = dimensions[0];
+  relief.rows = dimensions[1];
+  relief.elevation = elevations(seafloor);
+  relief.slopeX.resize(relief.elevation.size());
+  relief.slopeY.resize(relief.elevation.size());
+  const double* spacing = seafloor->GetSpacing();
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  double sums[2] = { 0.0, 0.0 };
+  double counts[2] = { 0.0, 0.0 };
+  for (int j = 0; j < relief.rows; ++j)
+  {
+    for (int i = 0; i < relief.columns; ++i)
+    {
+      const std::size_t at = relief.index(i, j);
+      const auto value = [&](int column, int row)
+      {
+        const bool inside = column >= 0 && column < relief.columns && row >= 0 && row < relief.rows;
+        return inside ? relief.elevation[relief.index(column, row)] : none;
+      };
+      const float here = relief.elevation[at];
+      relief.slopeX[at] = slope(value(i - 1, j), here, value(i + 1, j), spacing[0]);
+      relief.slopeY[at] = slope(value(i, j - 1), here, value(i, j + 1), spacing[1]);
+      if (std::isfinite(here))
+      {
+        const int land = here > waterLevel ? 1 : 0;
+        sums[land] += relief.slopeX[at] * relief.slopeX[at] + relief.slopeY[at] * relief.slopeY[at];
+        counts[land] += 1.0;
+      }
+    }
+  }
+  relief.waterSlope = std::sqrt(sums[0] / std::max(1.0, counts[0]));
+  relief.landSlope = std::sqrt(sums[1] / std::max(1.0, counts[1]));
+  return relief;
+}
+
+// Brightness of a slope under the light over that of the level, exaggerated to ShownSlope.
+double brightness(double slopeX, double slopeY, double rmsSlope)
+{
+  if (!(rmsSlope > 0.0))
+  {
+    return 1.0;
+  }
+  const double exaggeration = ShownSlope / rmsSlope;
+  const double x = -exaggeration * slopeX;
+  const double y = -exaggeration * slopeY;
+  // Light from the north-west, 45 degrees above the horizon: (-1/2, 1/2, 1/sqrt 2).
+  const double light = (-0.5 * x + 0.5 * y + std::sqrt(0.5)) / std::sqrt(1.0 + x * x + y * y);
+  return std::max(0.0, light) / std::sqrt(0.5);
+}
+
+Rgb colorAt(const Relief& relief, const SeafloorColors& colors, double column, double row)
+{
+  const int i = std::clamp(static_cast<int>(column), 0, std::max(0, relief.columns - 2));
+  const int j = std::clamp(static_cast<int>(row), 0, std::max(0, relief.rows - 2));
+  const double u = column - i;
+  const double v = row - j;
+  const std::size_t corner[4] = { relief.index(i, j), relief.index(std::min(i + 1, relief.columns - 1), j),
+    relief.index(i, std::min(j + 1, relief.rows - 1)),
+    relief.index(std::min(i + 1, relief.columns - 1), std::min(j + 1, relief.rows - 1)) };
+  const double weight[4] = { (1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v };
+  double elevation = 0.0;
+  double slopeX = 0.0;
+  double slopeY = 0.0;
+  for (int k = 0; k < 4; ++k)
+  {
+    elevation += weight[k] * relief.elevation[corner[k]];
+    slopeX += weight[k] * relief.slopeX[corner[k]];
+    slopeY += weight[k] * relief.slopeY[corner[k]];
+  }
+  if (!std::isfinite(elevation))
+  {
+    return noDataColor();
+  }
+  const double depth = colors.waterLevel - elevation;
+  const bool water = depth > 0.0;
+  Lab lab = water ? waterMap().lab(depth / colors.deepest) : landMap().lab(-depth / colors.highest);
+  const double light = brightness(slopeX, slopeY, water ? relief.waterSlope : relief.landSlope);
+  const double strength = water ? WaterShading : LandShading;
+  lab.lightness = std::min(99.0, lab.lightness * (1.0 + strength * (std::min(light, 1.3) - 1.0)));
+  return toRgb(lab);
+}
+
+}
+
+Rgb noDataColor()
+{
+  return toRgb({ 78, 0, 0 });
+}
+
+DepthRange depthRange(vtkImageData* seafloor, double waterLevel)
+{
+  DepthRange range;
+  for (const float elevation : elevations(seafloor))
+  {
+    if (!std::isfinite(elevation))
+    {
+      range.hasHoles = true;
+      continue;
+    }
+    range.deepest = std::max(range.deepest, waterLevel - elevation);
+    range.highest = std::max(range.highest, elevation - waterLevel);
+  }
+  return range;
+}
+
+vtkSmartPointer<vtkImageData> seafloorPicture(
+  vtkImageData* seafloor, const SeafloorColors& colors, int columns, int rows)
+{
+  const Relief relief = makeRelief(seafloor, colors.waterLevel);
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(columns, rows, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType row = begin; row < end; ++row)
+      {
+        const double y = (static_cast<double>(row) + 0.5) / rows * (relief.rows - 1);
+        unsigned char* out = pixels + 3 * row * columns;
+        for (int column = 0; column < columns; ++column)
+        {
+          const double x = (column + 0.5) / columns * (relief.columns - 1);
+          for (const double channel : colorAt(relief, colors, x, y))
+          {
+            *out++ = static_cast<unsigned char>(std::lround(255.0 * channel));
+          }
+        }
+      }
+    });
+  return picture;
+}
+
+}

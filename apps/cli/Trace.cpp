@@ -1,0 +1,184 @@
+#include "Commands.h"
+
+#include "FieldValues.h"
+#include "Pipeline.h"
+
+#include "sim/RayField.h"
+
+#include <fmt/format.h>
+
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+class Stopwatch
+{
+public:
+  double seconds() const
+  {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - this->Start).count();
+  }
+
+private:
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
+};
+
+// How often each code occurs in a cell array, as "12 alive, 3 dead".
+std::string tally(vtkPolyData* rays, const char* name, const std::vector<std::string>& words)
+{
+  std::vector<vtkIdType> counts(words.size(), 0);
+  vtkDataArray* codes = rays->GetCellData()->GetArray(name);
+  for (vtkIdType i = 0; codes && i < codes->GetNumberOfTuples(); ++i)
+  {
+    ++counts.at(static_cast<std::size_t>(codes->GetComponent(i, 0)));
+  }
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    if (counts[i] > 0)
+    {
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], words[i]);
+    }
+  }
+  return text;
+}
+
+void sayRays(vtkPolyData* rays, const Console& console)
+{
+  vtkDataArray* parents = rays->GetCellData()->GetArray("ParentRay");
+  vtkDataArray* lees = rays->GetCellData()->GetArray("LeeRay");
+  vtkIdType inserted = 0;
+  vtkIdType lee = 0;
+  for (vtkIdType i = 0; i < rays->GetNumberOfCells(); ++i)
+  {
+    const bool isLee = lees && lees->GetComponent(i, 0) != 0.0;
+    lee += isLee ? 1 : 0;
+    inserted += !isLee && parents && parents->GetComponent(i, 0) >= 0.0 ? 1 : 0;
+  }
+  console.say(fmt::format("rays     {}: {} launched, {} inserted, {} in the lee; {} points on {:g} fronts",
+    rays->GetNumberOfCells(), rays->GetNumberOfCells() - inserted - lee, inserted, lee, rays->GetNumberOfPoints(),
+    fieldNumber(rays, "Fronts").value_or(0.0)));
+  console.say("states   " + tally(rays, "FinalState", { "dead", "alive", "flat", "aground" }));
+  console.say("ended    " +
+    tally(rays, "EndReason",
+      { "at a cap", "left the scene", "entered a hole", "aground", "between aground rays", "cancelled",
+        "blocked by a current", "stopped by an obstacle" }));
+}
+
+void sayHeights(vtkPolyData* rays, const Console& console)
+{
+  vtkDataArray* heights = rays->GetPointData()->GetArray("WaveHeight");
+  vtkDataArray* breaking = rays->GetPointData()->GetArray("Breaking");
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  vtkIdType broken = 0;
+  vtkIdType infinite = 0;
+  for (vtkIdType i = 0; heights && i < heights->GetNumberOfTuples(); ++i)
+  {
+    const double height = heights->GetComponent(i, 0);
+    broken += breaking && breaking->GetComponent(i, 0) != 0.0 ? 1 : 0;
+    if (!std::isfinite(height))
+    {
+      ++infinite;
+      continue;
+    }
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  if (low <= high)
+  {
+    console.say(fmt::format("heights  {:.3g} to {:.3g} m, broken at {:.3g} % of the points{}", low, high,
+      100.0 * static_cast<double>(broken) / static_cast<double>(heights->GetNumberOfTuples()),
+      infinite > 0 ? fmt::format(", infinite at {}", infinite) : ""));
+  }
+}
+
+// The choices that the scene made, where the call left them open.
+void sayDefaults(vtkPolyData* rays, const Request& request, const Console& console)
+{
+  const TraceOptions& trace = request.rays.trace;
+  const auto value = [&](const char* name) { return fieldNumber(rays, name).value_or(0.0); };
+  const auto origin = [](bool given) { return given ? "" : " (from the scene)"; };
+  console.say(fmt::format("spacing  {:.4g} m{} over {:.4g} m of crest; a ray is inserted beyond {:.4g} m{}",
+    value("LaunchSpacing"), origin(trace.spacing.has_value()), value("LaunchWidth"), value("MaxSpacing"),
+    trace.maxSpacing ? "" : " (1.5 times that)"));
+  console.say((trace.step ? fmt::format("fronts   every {:.4g} m", *trace.step)
+                          : fmt::format("fronts   {:.4g} a wavelength", trace.stepsPerWave)) +
+    fmt::format("; amplitude by {}; breaking: {}",
+      request.rays.height.amplitude == AmplitudeRule::Tube ? "the tube equation" : "ray spacing",
+      request.rays.height.breaking == BreakingRule::None ? "none"
+                                                         : fmt::format("H <= {:g} h", request.rays.height.gamma)));
+}
+
+}
+
+void runTrace(const Request& request, Console& console)
+{
+  const std::vector<std::string> inputs = inputFiles(request);
+  std::unique_ptr<OutputFile> raysFile;
+  std::unique_ptr<OutputFile> crestsFile;
+  if (!request.output.file.empty())
+  {
+    raysFile = std::make_unique<OutputFile>(request.output.file, inputs);
+  }
+  if (!request.output.crests.empty())
+  {
+    crestsFile = std::make_unique<OutputFile>(request.output.crests, inputs);
+  }
+
+  Pipeline pipeline(request, console);
+  const Stopwatch reading;
+  pipeline.readSeafloor();
+  const double readSeconds = reading.seconds();
+  const Stopwatch tracing;
+  sayDefaults(pipeline.traceRays(), request, console);
+  vtkPolyData* rays = pipeline.computeHeights();
+  const double traceSeconds = tracing.seconds();
+
+  const Stopwatch writing;
+  if (raysFile)
+  {
+    writeLines(rays, *raysFile, request, console);
+  }
+  if (crestsFile)
+  {
+    writeLines(pipeline.makeCrests(), *crestsFile, request, console);
+  }
+  for (OutputFile* file : { raysFile.get(), crestsFile.get() })
+  {
+    if (file)
+    {
+      file->commit();
+    }
+  }
+
+  sayRays(rays, console);
+  sayHeights(rays, console);
+  console.say(fmt::format("time     {:.2f} s to read, {:.2f} s to trace, {:.2f} s to write", readSeconds, traceSeconds,
+    writing.seconds()));
+  std::string written;
+  std::string names;
+  for (const OutputFile* file : { raysFile.get(), crestsFile.get() })
+  {
+    if (file)
+    {
+      written += (written.empty() ? "" : " and ") + file->path();
+      names += " " + file->path();
+    }
+  }
+  console.say(fmt::format("wrote    {}; open with: paraview{}", written, names));
+}
+
+}
