@@ -29,21 +29,23 @@ void parallelFor(std::size_t n, const std::function<void(std::size_t, std::size_
   std::size_t failedAt = n;
   const std::size_t grain = std::max<std::size_t>(1, n / RangesOfALoop);
   // An exception must not leave a worker thread, and the one that is reported must not depend on their timing.
-  vtkSMPTools::For(0, static_cast<vtkIdType>(n), static_cast<vtkIdType>(grain), [&](vtkIdType begin, vtkIdType end) {
-    try
+  vtkSMPTools::For(0, static_cast<vtkIdType>(n), static_cast<vtkIdType>(grain),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (static_cast<std::size_t>(begin) < failedAt)
+      try
       {
-        failedAt = static_cast<std::size_t>(begin);
-        failure = std::current_exception();
+        body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
       }
-    }
-  });
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (static_cast<std::size_t>(begin) < failedAt)
+        {
+          failedAt = static_cast<std::size_t>(begin);
+          failure = std::current_exception();
+        }
+      }
+    });
   if (failure)
   {
     std::rethrow_exception(failure);
@@ -54,7 +56,8 @@ Execution makeExecution(vtkAlgorithm* algorithm, double from, double to)
 {
   Execution execution;
   execution.loop = parallelFor;
-  execution.progress = [=](double share) {
+  execution.progress = [=](double share)
+  {
     algorithm->UpdateProgress(from + (to - from) * share);
     return !algorithm->GetAbortExecute();
   };

@@ -43,12 +43,14 @@ vtkSmartPointer<vtkPolyData> edgesCrossed(const ElevationGrid& grid, double elev
   vtkNew<vtkUnsignedCharArray> above;
   above->SetNumberOfValues(static_cast<vtkIdType>(grid.elevation.size()));
   unsigned char* values = above->GetPointer(0);
-  parallelFor(grid.elevation.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  parallelFor(grid.elevation.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      values[i] = grid.elevation[i] >= elevation ? 1 : 0;
-    }
-  });
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        values[i] = grid.elevation[i] >= elevation ? 1 : 0;
+      }
+    });
   vtkNew<vtkImageData> image;
   image->SetDimensions(static_cast<int>(grid.columns), static_cast<int>(grid.rows), 1);
   image->GetPointData()->SetScalars(above);

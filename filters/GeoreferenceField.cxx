@@ -57,23 +57,25 @@ void addLongitudeLatitude(vtkPointSet* points)
   double* latitude = addArray<vtkDoubleArray>(points->GetPointData(), "Latitude", n);
   const double* positions =
     n > 0 ? vtkDoubleArray::SafeDownCast(points->GetPoints()->GetData())->GetPointer(0) : nullptr;
-  parallelFor(static_cast<std::size_t>(n), [&](std::size_t begin, std::size_t end) {
-    std::vector<glm::dvec2> buffer;
-    for (std::size_t first = begin; first < end; first += PointsAtOnce)
+  parallelFor(static_cast<std::size_t>(n),
+    [&](std::size_t begin, std::size_t end)
     {
-      buffer.resize(std::min(PointsAtOnce, end - first));
-      for (std::size_t i = 0; i < buffer.size(); ++i)
+      std::vector<glm::dvec2> buffer;
+      for (std::size_t first = begin; first < end; first += PointsAtOnce)
       {
-        buffer[i] = { positions[3 * (first + i)], positions[3 * (first + i) + 1] };
+        buffer.resize(std::min(PointsAtOnce, end - first));
+        for (std::size_t i = 0; i < buffer.size(); ++i)
+        {
+          buffer[i] = { positions[3 * (first + i)], positions[3 * (first + i) + 1] };
+        }
+        georeference.toLonLat(buffer.size(), buffer.data(), buffer.data());
+        for (std::size_t i = 0; i < buffer.size(); ++i)
+        {
+          longitude[first + i] = buffer[i].x;
+          latitude[first + i] = buffer[i].y;
+        }
       }
-      georeference.toLonLat(buffer.size(), buffer.data(), buffer.data());
-      for (std::size_t i = 0; i < buffer.size(); ++i)
-      {
-        longitude[first + i] = buffer[i].x;
-        latitude[first + i] = buffer[i].y;
-      }
-    }
-  });
+    });
 }
 
 }

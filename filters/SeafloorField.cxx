@@ -73,19 +73,21 @@ bool near(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& size)
 bool hasElevations(const Seafloor& seafloor, const ElevationGrid& grid)
 {
   std::atomic<bool> same{ true };
-  parallelFor(grid.rows, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end && same; ++row)
+  parallelFor(grid.rows,
+    [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t column = 0; column < grid.columns; ++column)
+      for (std::size_t row = begin; row < end && same; ++row)
       {
-        const double z = seafloor.elevation(grid.node(column, row));
-        if (!(std::abs(z - grid.at(column, row)) <= FormTolerance * (1.0 + std::abs(z))))
+        for (std::size_t column = 0; column < grid.columns; ++column)
         {
-          same = false;
+          const double z = seafloor.elevation(grid.node(column, row));
+          if (!(std::abs(z - grid.at(column, row)) <= FormTolerance * (1.0 + std::abs(z))))
+          {
+            same = false;
+          }
         }
       }
-    }
-  });
+    });
   return same;
 }
 

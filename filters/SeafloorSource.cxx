@@ -57,16 +57,18 @@ ElevationGrid sample(
   grid.origin = box.low;
   grid.spacing = spacing;
   grid.elevation.resize(grid.columns * grid.rows);
-  execution.forRange(grid.rows, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t row = begin; row < end; ++row)
+  execution.forRange(grid.rows,
+    [&](std::size_t begin, std::size_t end)
     {
-      for (std::size_t column = 0; column < grid.columns; ++column)
+      for (std::size_t row = begin; row < end; ++row)
       {
-        const glm::dvec2 p = glm::min(grid.node(column, row), box.high);
-        grid.at(column, row) = seafloor.isHole(p) ? std::numeric_limits<double>::quiet_NaN() : seafloor.elevation(p);
+        for (std::size_t column = 0; column < grid.columns; ++column)
+        {
+          const glm::dvec2 p = glm::min(grid.node(column, row), box.high);
+          grid.at(column, row) = seafloor.isHole(p) ? std::numeric_limits<double>::quiet_NaN() : seafloor.elevation(p);
+        }
       }
-    }
-  });
+    });
   return grid;
 }
 

@@ -70,33 +70,35 @@ void interpolate(Array* from, Array* to, const std::vector<RayPlace>& places)
   const bool unit = components == 3 && isOneOf(name, { "Direction", "RayDirection" });
   const Value* values = from->GetPointer(0);
   Value* result = to->GetPointer(0);
-  swellray::parallelFor(places.size(), [=, &places](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  swellray::parallelFor(places.size(),
+    [=, &places](std::size_t begin, std::size_t end)
     {
-      const Value* first = values + places[i].point * components;
-      const Value* second = places[i].weight == 0.0 ? first : first + components;
-      Value* target = result + i * components;
-      double mixed[3];
-      for (int c = 0; c < components; ++c)
+      for (std::size_t i = begin; i < end; ++i)
       {
-        const double value = angle ? angleBetween(first[c], second[c], places[i].weight, lowest)
-                                   : between(first[c], second[c], places[i].weight);
+        const Value* first = values + places[i].point * components;
+        const Value* second = places[i].weight == 0.0 ? first : first + components;
+        Value* target = result + i * components;
+        double mixed[3];
+        for (int c = 0; c < components; ++c)
+        {
+          const double value = angle ? angleBetween(first[c], second[c], places[i].weight, lowest)
+                                     : between(first[c], second[c], places[i].weight);
+          if (unit)
+          {
+            mixed[c] = value;
+          }
+          else
+          {
+            target[c] = static_cast<Value>(value);
+          }
+        }
         if (unit)
         {
-          mixed[c] = value;
-        }
-        else
-        {
-          target[c] = static_cast<Value>(value);
+          normalize(mixed);
+          std::copy(mixed, mixed + 3, target);
         }
       }
-      if (unit)
-      {
-        normalize(mixed);
-        std::copy(mixed, mixed + 3, target);
-      }
-    }
-  });
+    });
 }
 
 void takeNearest(vtkDataArray* from, vtkDataArray* to, const std::vector<RayPlace>& places)

@@ -51,9 +51,8 @@ void setPoints(vtkPolyData* output, const swellray::RayField& field, const swell
   output->SetPoints(points);
 
   vtkPointData* out = output->GetPointData();
-  const auto add = [=](const char* name, int components = 1) {
-    return swellray::addArray<vtkDoubleArray>(out, name, n, components);
-  };
+  const auto add = [=](const char* name, int components = 1)
+  { return swellray::addArray<vtkDoubleArray>(out, name, n, components); };
   swellray::RayQuantities quantities;
   quantities.position = vtkDoubleArray::SafeDownCast(points->GetData())->GetPointer(0);
   quantities.depth = add("Depth");

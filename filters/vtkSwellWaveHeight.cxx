@@ -82,27 +82,29 @@ int vtkSwellWaveHeight::RequestData(
     for (std::size_t first = 0; first < rays; first += RaysAtOnce)
     {
       const std::size_t count = std::min(RaysAtOnce, rays - first);
-      execution.forRange(count, [&](std::size_t begin, std::size_t end) {
-        swellray::RayHeights heights;
-        for (std::size_t ray = first + begin; ray < first + end; ++ray)
+      execution.forRange(count,
+        [&](std::size_t begin, std::size_t end)
         {
-          const std::int64_t at = offsets[ray];
-          swellray::RayProfile profile = all;
-          profile.count = static_cast<std::size_t>(offsets[ray + 1] - at);
-          profile.depth += at;
-          profile.wavenumber += at;
-          profile.groupSpeed += at;
-          profile.krSpacing += at;
-          profile.krTube += at;
-          profile.state += at;
-          swellray::computeHeights(profile, wave, options, heights);
-          std::copy(heights.refraction.begin(), heights.refraction.end(), refraction + at);
-          std::copy(heights.height.begin(), heights.height.end(), height + at);
-          std::copy(heights.energyFlux.begin(), heights.energyFlux.end(), energyFlux + at);
-          std::copy(heights.orbitalVelocity.begin(), heights.orbitalVelocity.end(), orbitalVelocity + at);
-          std::copy(heights.breaking.begin(), heights.breaking.end(), breaking + at);
-        }
-      });
+          swellray::RayHeights heights;
+          for (std::size_t ray = first + begin; ray < first + end; ++ray)
+          {
+            const std::int64_t at = offsets[ray];
+            swellray::RayProfile profile = all;
+            profile.count = static_cast<std::size_t>(offsets[ray + 1] - at);
+            profile.depth += at;
+            profile.wavenumber += at;
+            profile.groupSpeed += at;
+            profile.krSpacing += at;
+            profile.krTube += at;
+            profile.state += at;
+            swellray::computeHeights(profile, wave, options, heights);
+            std::copy(heights.refraction.begin(), heights.refraction.end(), refraction + at);
+            std::copy(heights.height.begin(), heights.height.end(), height + at);
+            std::copy(heights.energyFlux.begin(), heights.energyFlux.end(), energyFlux + at);
+            std::copy(heights.orbitalVelocity.begin(), heights.orbitalVelocity.end(), orbitalVelocity + at);
+            std::copy(heights.breaking.begin(), heights.breaking.end(), breaking + at);
+          }
+        });
       if (!execution.report(static_cast<double>(first + count) / static_cast<double>(rays)))
       {
         output->Initialize();
