@@ -3,12 +3,19 @@
 #include "Pipeline.h"
 
 #include "bathymetry/SeafloorReport.h"
+#include "sim/Angles.h"
+#include "sim/SplineSeafloor.h"
 
 #include <fmt/format.h>
+#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 namespace swellray::cli
 {
@@ -26,7 +33,36 @@ nlohmann::ordered_json box(const Rectangle& r)
   return nlohmann::ordered_json::array({ r.low.x, r.low.y, r.high.x, r.high.y });
 }
 
-nlohmann::ordered_json toJson(const SeafloorReport& report)
+/** How the bed as a whole slopes: the plane that tracing takes for the contours between offshore and the scene. */
+struct Trend
+{
+  double facing = 0.0; ///< nautical degrees of the seaward normal of its contours
+  double slope = 0.0;  ///< m/m
+};
+
+std::optional<Trend> trendOf(vtkImageData* image, double waterLevel)
+{
+  ElevationGrid grid;
+  grid.columns = static_cast<std::size_t>(image->GetDimensions()[0]);
+  grid.rows = static_cast<std::size_t>(image->GetDimensions()[1]);
+  grid.origin = { image->GetOrigin()[0], image->GetOrigin()[1] };
+  grid.spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
+  vtkDataArray* elevation = image->GetPointData()->GetArray("Elevation");
+  grid.elevation.resize(grid.columns * grid.rows);
+  for (std::size_t i = 0; i < grid.elevation.size(); ++i)
+  {
+    grid.elevation[i] = elevation->GetComponent(static_cast<vtkIdType>(i), 0);
+  }
+  const BedPlane plane = fitWetPlane(SplineSeafloor(grid), waterLevel);
+  const double slope = glm::length(plane.slope);
+  if (!plane.valid || slope == 0.0)
+  {
+    return {};
+  }
+  return Trend{ nauticalFromVector(plane.slope), slope };
+}
+
+nlohmann::ordered_json toJson(const SeafloorReport& report, const std::optional<Trend>& trend)
 {
   const char* kinds[] = { "local", "projected", "geographic" };
   nlohmann::ordered_json json;
@@ -42,6 +78,10 @@ nlohmann::ordered_json toJson(const SeafloorReport& report)
     { "extent_m", box(report.extent) }, { "resampled", report.resampled } };
   json["water_level_m"] = report.waterLevel;
   json["elevation_m"] = { { "lowest", report.lowest }, { "highest", report.highest } };
+  if (trend)
+  {
+    json["trend"] = { { "facing_deg", trend->facing }, { "slope", trend->slope } };
+  }
   json["share"] = { { "water", report.waterShare }, { "land", report.landShare }, { "no_data", report.noDataShare } };
   json["no_data"] = { { "read", report.noDataRead }, { "filled", report.filled } };
   json["values"] = { { "units", report.units }, { "units_source", report.unitsSource }, { "sign", report.sign },
@@ -55,14 +95,21 @@ nlohmann::ordered_json toJson(const SeafloorReport& report)
 void runInfo(const Request& request, Console& console)
 {
   Pipeline pipeline(request, console);
-  const SeafloorReport& report = *pipeline.readSeafloor()->GetReport();
+  vtkSwellSeafloorReader* reader = pipeline.readSeafloor();
+  const SeafloorReport& report = *reader->GetReport();
+  const std::optional<Trend> trend = trendOf(reader->GetOutput(), report.waterLevel);
   if (request.json)
   {
-    const auto text = toJson(report).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
+    const auto text = toJson(report, trend).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);
     std::printf("%s\n", text.c_str());
     return;
   }
-  const auto lines = report.lines();
+  auto lines = report.lines();
+  if (trend)
+  {
+    lines.emplace_back(
+      "Bed faces", fmt::format("{:.0f} degrees, slope {:.2g}, as a whole", trend->facing, trend->slope));
+  }
   std::size_t width = 0;
   for (const auto& line : lines)
   {
