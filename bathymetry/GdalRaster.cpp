@@ -2,6 +2,7 @@
 
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
+#include "bathymetry/Wkt.h"
 
 #include <gdal_priv.h>
 
@@ -19,16 +20,6 @@ std::string item(GDALMajorObject& object, const char* name)
 {
   const char* value = object.GetMetadataItem(name);
   return value ? value : "";
-}
-
-std::string wktOf(const OGRSpatialReference& crs)
-{
-  const char* const format[] = { "FORMAT=WKT2_2019", nullptr };
-  char* wkt = nullptr;
-  crs.exportToWkt(&wkt, format);
-  const std::string result = wkt ? wkt : "";
-  CPLFree(wkt);
-  return result;
 }
 
 }

@@ -2,10 +2,10 @@
 
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
+#include "bathymetry/Wkt.h"
 #include "sim/Angles.h"
 
 #include <GeographicLib/TransverseMercator.hpp>
-#include <cpl_conv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
@@ -22,20 +22,6 @@ namespace
 {
 
 constexpr double NotKnown = std::numeric_limits<double>::quiet_NaN();
-
-std::string exportWkt(const OGRSpatialReference& crs)
-{
-  const char* const format[] = { "FORMAT=WKT2_2019", "MULTILINE=NO", nullptr };
-  char* wkt = nullptr;
-  const bool done = crs.exportToWkt(&wkt, format) == OGRERR_NONE && wkt;
-  const std::string result = done ? wkt : "";
-  CPLFree(wkt);
-  if (!done)
-  {
-    throw std::runtime_error("CRS cannot be written as WKT: " + QuietGdal::lastError("no reason given"));
-  }
-  return result;
-}
 
 double normalisedLongitude(double longitude)
 {
@@ -80,7 +66,7 @@ void Georeference::Impl::readCrs(const std::string& crs)
     reference.StripVertical();
   }
   reference.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  this->Wkt = exportWkt(reference);
+  this->Wkt = wktOf(reference);
   this->Name = reference.GetName() ? reference.GetName() : "";
 
   if (reference.IsGeographic())

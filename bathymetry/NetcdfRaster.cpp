@@ -2,6 +2,7 @@
 
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
+#include "bathymetry/Wkt.h"
 
 #include <gdal_priv.h>
 
@@ -140,7 +141,7 @@ void NetcdfRaster::listArrays(const std::shared_ptr<GDALGroup>& group, const std
 std::shared_ptr<GDALMDArray> NetcdfRaster::coordinates(const GDALMDArray& array, std::size_t dimension) const
 {
   const auto& wanted = array.GetDimensions()[dimension];
-  const auto own = wanted->GetIndexingVariable();
+  std::shared_ptr<GDALMDArray> own = wanted->GetIndexingVariable();
   if (own && own->GetDimensionCount() == 1 && isNumeric(*own))
   {
     return own;
@@ -304,13 +305,10 @@ void NetcdfRaster::readPlace(const Candidate& candidate)
   Axis x = this->readAxis(*candidate.x);
   Axis y = this->readAxis(*candidate.y);
 
-  if (const auto crs = this->Array->GetSpatialRef())
+  const std::shared_ptr<OGRSpatialReference> crs = this->Array->GetSpatialRef();
+  if (crs)
   {
-    const char* const format[] = { "FORMAT=WKT2_2019", nullptr };
-    char* wkt = nullptr;
-    crs->exportToWkt(&wkt, format);
-    header.crs = wkt ? wkt : "";
-    CPLFree(wkt);
+    header.crs = wktOf(*crs);
   }
   if (header.crs.empty() && isDegrees(x.units) && isDegrees(y.units))
   {
@@ -319,7 +317,6 @@ void NetcdfRaster::readPlace(const Candidate& candidate)
   }
 
   // Axes in another unit than their CRS: the coordinates of this file are those of the CRS.
-  const auto crs = this->Array->GetSpatialRef();
   const double crsUnit = crs && crs->IsProjected() ? crs->GetLinearUnits() : 1.0;
   for (Axis* axis : { &x, &y })
   {

@@ -185,7 +185,7 @@ Georeference placeGrid(FileGrid& file, const std::string& crs)
   const Rectangle extent = file.extent();
   const glm::dvec2 middle = 0.5 * (extent.low + extent.high);
   const double turned = std::remainder(middle.x, 360.0);
-  const Georeference georeference(crs, glm::dvec2(turned, std::clamp(middle.y, -90.0, 90.0)), extent.low);
+  Georeference georeference(crs, glm::dvec2(turned, std::clamp(middle.y, -90.0, 90.0)), extent.low);
   if (georeference.kind() != GeoreferenceKind::Geographic)
   {
     return georeference;
