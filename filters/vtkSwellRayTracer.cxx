@@ -181,12 +181,14 @@ int vtkSwellRayTracer::RequestData(
     const swellray::RayField field =
       swellray::traceWaves(*seafloor, wave, options, swellray::makeExecution(this, 0.0, TracingShare));
 
-    swellray::Execution filling = swellray::makeExecution(this);
     output->SetLines(swellray::linesInOrder(field.offsets));
-    setPoints(output, field, wave, this->WaterLevel, filling);
+    setPoints(output, field, wave, this->WaterLevel, swellray::makeExecution(this));
     setCells(output, field);
     setFields(output, field, wave, this->WaterLevel);
-    swellray::addLongitudeLatitude(output);
+    if (this->LongitudeLatitude)
+    {
+      swellray::addLongitudeLatitude(output);
+    }
 
     if (field.rayCapReached)
     {
@@ -240,6 +242,7 @@ void vtkSwellRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Edge: " << edges[this->Edge] << "\n";
   os << indent << "UseShoreNormal: " << (this->UseShoreNormal ? "on" : "off") << "\n";
   os << indent << "ShoreNormal: " << this->ShoreNormal << "\n";
+  os << indent << "LongitudeLatitude: " << (this->LongitudeLatitude ? "on" : "off") << "\n";
   os << indent << "MaximumNumberOfRays: " << this->MaximumNumberOfRays << "\n";
   os << indent << "MaximumNumberOfFronts: " << this->MaximumNumberOfFronts << "\n";
 }

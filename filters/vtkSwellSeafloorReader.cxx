@@ -154,6 +154,8 @@ bool vtkSwellSeafloorReader::Load()
 int vtkSwellSeafloorReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  // The executive forgets an old abort only later, before RequestData.
+  this->AbortExecute = 0;
   if (!this->Load())
   {
     return 0;

@@ -280,6 +280,9 @@ TEST(RayTracer, tellsLongitudeAndLatitudeWhereTheyAreKnown)
     EXPECT_NEAR((longitude->GetComponent(i, 0) + 75.0) * metresOfLongitude, p[0], 1e-3);
     EXPECT_NEAR(latitude->GetComponent(i, 0) * metresOfLatitude, p[1], 1e-3);
   }
+  tracer->LongitudeLatitudeOff();
+  tracer->Update();
+  EXPECT_EQ(tracer->GetOutput()->GetPointData()->GetArray("Longitude"), nullptr);
 }
 
 TEST(RayTracer, tracesAgainOnlyWhenItHasTo)

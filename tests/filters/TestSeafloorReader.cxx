@@ -276,3 +276,23 @@ TEST(SeafloorReader, recoversFromAFailure)
   EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::NoError);
   EXPECT_GT(reader->GetOutput()->GetNumberOfPoints(), 0);
 }
+
+TEST(SeafloorReader, readsAgainAfterAnAbort)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkSwellSeafloorReader> reader;
+  reader->SetFileName(folder.write("beach.asc", asciiGrid()).c_str());
+  vtkNew<Listener> listener;
+  listener->AbortAt = 0.3;
+  listener->listenTo(reader);
+  vtkNew<Listener> quiet;
+  quiet->listenTo(reader->GetExecutive());
+  reader->Update();
+  ASSERT_EQ(listener->Errors.size(), 1u);
+  EXPECT_THAT(listener->Errors.front(), testing::HasSubstr("cancelled"));
+  listener->AbortAt = -1.0;
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(listener->Errors.size(), 1u);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 30);
+}
