@@ -18,11 +18,11 @@ namespace
 {
 
 // Neighbours that started this much closer (in spacings) than the launched rays are refined no further. Between rays
-// on the water: what such a tube carries, spread over more than the spacing, is below 2 % of the incident energy.
+// on the water: what such a tube carries, spread over more than the spacing, is below a tenth of the incident energy density.
 // At the edge of a shadow the lee rays take over. Between lee rays only rounding sets a limit.
-constexpr double FinestGap = 1.0 / 64.0;
+constexpr double FinestGap = 1.0 / 8.0;
 constexpr double FinestShadowGap = 0.5;
-constexpr double FinestLeeGap = 1e-9;
+constexpr double FinestLeeGap = 1.0 / 64.0;
 
 // Each pass over a front halves the gaps that are too wide.
 constexpr int InsertionPasses = 12;
@@ -117,8 +117,7 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
       return;
     }
     start = this->startBetween(a, b, direction / size);
-    if (this->Medium.depth(start.position) < this->Medium.agroundDepth ||
-      this->Medium.seafloor->isHole(start.position))
+    if (this->Medium.depth(start.position) < this->Medium.agroundDepth || this->Medium.seafloor->isHole(start.position))
     {
       return;
     }
@@ -162,12 +161,14 @@ void FrontMarch::insertRays()
     {
       return;
     }
-    this->Run.forRange(jobs.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    this->Run.forRange(jobs.size(),
+      [&](std::size_t begin, std::size_t end)
       {
-        this->makeInsertion(jobs[i], target);
-      }
-    });
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->makeInsertion(jobs[i], target);
+        }
+      });
 
     bool inserted = false;
     std::vector<Standing> order;

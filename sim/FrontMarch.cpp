@@ -72,8 +72,8 @@ RayField FrontMarch::run()
   this->launchAll();
   const Rectangle box = this->Medium.seafloor->bounds();
   const double diagonal = glm::length(box.size());
-  const double expected = std::max(1.0,
-    1.5 * diagonal / this->FrontStep * (this->Measure == FrontMeasure::Phase ? this->Wave.wavenumber() : 1.0));
+  const double expected = std::max(
+    1.0, 1.5 * diagonal / this->FrontStep * (this->Measure == FrontMeasure::Phase ? this->Wave.wavenumber() : 1.0));
   for (this->Front = 0; this->anyOnWater(); ++this->Front)
   {
     if (this->Front >= this->Options.maxFronts)
@@ -90,12 +90,14 @@ RayField FrontMarch::run()
     }
     const double target = this->frontValue();
     this->Records.emplace_back();
-    this->Run.forRange(this->Order.size(), [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    this->Run.forRange(this->Order.size(),
+      [&](std::size_t begin, std::size_t end)
       {
-        this->advance(this->standing(i), target);
-      }
-    });
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->advance(this->standing(i), target);
+        }
+      });
     this->settleEnded();
     this->insertRays();
     this->settleShore();
@@ -151,31 +153,32 @@ void FrontMarch::launchAll()
   const auto rays = static_cast<std::size_t>(count);
   this->Rays.resize(rays);
   this->Order.resize(rays);
-  this->Run.forRange(rays, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  this->Run.forRange(rays,
+    [&](std::size_t begin, std::size_t end)
     {
-      Ray& ray = this->Rays[i];
-      const double share = (static_cast<double>(i) + 0.5) * this->Spacing;
-      ray.info.launchParameter = std::min(margin + share, width);
-      const RayStart start = this->launch(ray.info.launchParameter, ray.info.launchSegment);
-      ray.path = this->makePath(start);
-      ray.measure = this->measureOf(start);
-      ray.startPhase = start.phase;
-      RayPoint& point = ray.between[0];
-      ray.path->advance(this->Measure, ray.measure, point);
-      const double left = point.wavenumber.x * start.dPosition.y - point.wavenumber.y * start.dPosition.x;
-      point.spacingWidth = left / glm::length(point.wavenumber);
-      point.front = BetweenFronts;
-      point.state = RayState::Alive;
-      ray.betweenCount = 1;
-      ray.place = point;
-    }
-  });
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        Ray& ray = this->Rays[i];
+        const double share = (static_cast<double>(i) + 0.5) * this->Spacing;
+        ray.info.launchParameter = std::min(margin + share, width);
+        const RayStart start = this->launch(ray.info.launchParameter, ray.info.launchSegment);
+        ray.path = this->makePath(start);
+        ray.measure = this->measureOf(start);
+        ray.startPhase = start.phase;
+        RayPoint& point = ray.between[0];
+        ray.path->advance(this->Measure, ray.measure, point);
+        const double left = point.wavenumber.x * start.dPosition.y - point.wavenumber.y * start.dPosition.x;
+        point.spacingWidth = left / glm::length(point.wavenumber);
+        point.front = BetweenFronts;
+        point.state = RayState::Alive;
+        ray.betweenCount = 1;
+        ray.place = point;
+      }
+    });
   for (std::size_t i = 0; i < rays; ++i)
   {
     this->Order[i].ray = static_cast<std::uint32_t>(i);
-    this->Order[i].linked =
-      i + 1 < rays && this->Rays[i].info.launchSegment == this->Rays[i + 1].info.launchSegment;
+    this->Order[i].linked = i + 1 < rays && this->Rays[i].info.launchSegment == this->Rays[i + 1].info.launchSegment;
   }
 }
 
@@ -376,15 +379,14 @@ double FrontMarch::spacingWidth(std::size_t at) const
   {
     const double from = left ? left->info.launchParameter : lambda;
     const double to = right ? right->info.launchParameter : lambda;
-    const double front = (left ? glm::length(left->place.position - x) : 0.0) +
-      (right ? glm::length(right->place.position - x) : 0.0);
+    const double front =
+      (left ? glm::length(left->place.position - x) : 0.0) + (right ? glm::length(right->place.position - x) : 0.0);
     return to > from ? front / (to - from) : NotANumber;
   }
 
   // Derivative of the position by lambda along the front, of second order at unequal distances.
-  const auto second = [&](const Ray* near, int step, std::size_t place) -> const Ray* {
-    return near ? this->neighbour(place, step, *near) : nullptr;
-  };
+  const auto second = [&](const Ray* near, int step, std::size_t place) -> const Ray*
+  { return near ? this->neighbour(place, step, *near) : nullptr; };
   const Ray* a = left;
   const Ray* b = right;
   if (!a)
@@ -422,16 +424,18 @@ double FrontMarch::spacingWidth(std::size_t at) const
 void FrontMarch::measureSpacing()
 {
   std::vector<double> width(this->Order.size(), NotANumber);
-  this->Run.forRange(this->Order.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+  this->Run.forRange(this->Order.size(),
+    [&](std::size_t begin, std::size_t end)
     {
-      const Ray& ray = this->standing(i);
-      if (!ray.waiting && isOnWater(ray.state))
+      for (std::size_t i = begin; i < end; ++i)
       {
-        width[i] = this->spacingWidth(i);
+        const Ray& ray = this->standing(i);
+        if (!ray.waiting && isOnWater(ray.state))
+        {
+          width[i] = this->spacingWidth(i);
+        }
       }
-    }
-  });
+    });
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
     Ray& ray = this->standing(i);
@@ -456,8 +460,7 @@ void FrontMarch::markFlat()
     }
     const RayPoint& place = ray.place;
     const double width = std::isfinite(place.spacingWidth) ? place.spacingWidth : std::abs(place.tubeWidth);
-    const double groupSpeed =
-      waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity).groupSpeed;
+    const double groupSpeed = waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity).groupSpeed;
     const double height = this->Wave.height * std::sqrt(groupSpeed0 / (groupSpeed * width));
     ray.state = height < flatHeight ? RayState::Flat : RayState::Alive;
   }
@@ -476,10 +479,12 @@ void FrontMarch::recordFront()
 
 bool FrontMarch::anyOnWater() const
 {
-  return std::any_of(this->Order.begin(), this->Order.end(), [&](const Standing& standing) {
-    const Ray& ray = this->Rays[standing.ray];
-    return ray.waiting || isOnWater(ray.state);
-  });
+  return std::any_of(this->Order.begin(), this->Order.end(),
+    [&](const Standing& standing)
+    {
+      const Ray& ray = this->Rays[standing.ray];
+      return ray.waiting || isOnWater(ray.state);
+    });
 }
 
 void FrontMarch::finishRemaining(EndReason reason)

@@ -32,11 +32,11 @@ private:
     std::unique_ptr<RayPath> path;
     ShorelineWalk walk;
     RayState state = RayState::Alive;
-    bool waiting = true;   // the front has not come to its launch point yet
-    RayPoint place;        // on the current front
+    bool waiting = true;             // the front has not come to its launch point yet
+    RayPoint place;                  // on the current front
     std::array<RayPoint, 2> between; // launch, and grounding or end, since the last front
     int betweenCount = 0;
-    double measure = 0.0;  // phase or length reached
+    double measure = 0.0; // phase or length reached
     double startPhase = 0.0;
   };
 

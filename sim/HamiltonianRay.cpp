@@ -58,7 +58,7 @@ constexpr double SmallestFactor = 0.2;
 constexpr double LargestFactor = 5.0;
 
 // The tube is a derivative of the ray: it needs fewer digits for the same use.
-constexpr double TubeWeight = 0.1;
+constexpr double TubeWeight = 1e-3;
 
 // kh above which a wave does not feel the bottom: sech^2(kh) < 1e-8.
 constexpr double DeepWater = 10.0;
@@ -70,8 +70,7 @@ constexpr int BisectionSteps = 60;
 
 }
 
-HamiltonianRay::HamiltonianRay(
-  const RayMedium& medium, const RayStart& start, double tolerance, std::size_t maxSteps)
+HamiltonianRay::HamiltonianRay(const RayMedium& medium, const RayStart& start, double tolerance, std::size_t maxSteps)
   : Medium(medium)
   , Tolerance(tolerance)
   , MaxSteps(maxSteps)
@@ -150,7 +149,8 @@ bool HamiltonianRay::tryStep(double h, Trial& trial)
   State& k5 = this->Stage[3];
   State& k6 = this->Stage[4];
   State s;
-  const auto rates = [&](State& rate) {
+  const auto rates = [&](State& rate)
+  {
     ++this->Evaluations;
     return evaluate(this->Medium, this->Region, this->DryDepth, s, rate, trial.local);
   };
@@ -207,8 +207,7 @@ bool HamiltonianRay::tryStep(double h, Trial& trial)
   State error;
   for (std::size_t i = 0; i < Size; ++i)
   {
-    error[i] =
-      h * (E1 * k1[i] + E3 * k3[i] + E4 * k4[i] + E5 * k5[i] + E6 * k6[i] + E7 * trial.lastRate[i]);
+    error[i] = h * (E1 * k1[i] + E3 * k3[i] + E4 * k4[i] + E5 * k5[i] + E6 * k6[i] + E7 * trial.lastRate[i]);
   }
   trial.error = this->errorNorm(error, s) / this->Tolerance;
   return true;
@@ -342,8 +341,8 @@ bool HamiltonianRay::step()
   this->WidthScale = std::max(this->WidthScale, std::hypot(trial.end[DX], trial.end[DY]));
   this->RateScale = std::max(this->RateScale, std::hypot(trial.end[DKx], trial.end[DKy]));
   const Frequency& f = trial.local.frequency;
-  const double drift = (f.sigma / this->Medium.angularFrequency - 1.0) * f.sigma /
-    (std::hypot(trial.end[Kx], trial.end[Ky]) * f.k);
+  const double drift =
+    (f.sigma / this->Medium.angularFrequency - 1.0) * f.sigma / (std::hypot(trial.end[Kx], trial.end[Ky]) * f.k);
   this->DispersionError = std::max(this->DispersionError, std::abs(drift));
   ++this->Steps;
   return true;
@@ -390,8 +389,8 @@ void HamiltonianRay::prepareDense(double h, const State& end, const State& lastR
     this->Dense[1][i] = slope;
     this->Dense[2][i] = difference - h * lastRate[i] - slope;
     this->Dense[3][i] = h *
-      (D1 * k1[i] + D3 * this->Stage[1][i] + D4 * this->Stage[2][i] + D5 * this->Stage[3][i] +
-        D6 * this->Stage[4][i] + D7 * lastRate[i]);
+      (D1 * k1[i] + D3 * this->Stage[1][i] + D4 * this->Stage[2][i] + D5 * this->Stage[3][i] + D6 * this->Stage[4][i] +
+        D7 * lastRate[i]);
   }
 }
 
@@ -464,8 +463,8 @@ double HamiltonianRay::locateTarget(FrontMeasure measure, double target) const
     const double d2 = this->Dense[2][component];
     const double d3 = this->Dense[3][component];
     const double rest = 1.0 - theta;
-    const double slope = d0 + d1 * (1.0 - 2.0 * theta) + d2 * theta * (2.0 - 3.0 * theta) +
-      d3 * 2.0 * theta * rest * (1.0 - 2.0 * theta);
+    const double slope =
+      d0 + d1 * (1.0 - 2.0 * theta) + d2 * theta * (2.0 - 3.0 * theta) + d3 * 2.0 * theta * rest * (1.0 - 2.0 * theta);
     const double newton = theta - miss / slope;
     const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
     if (std::abs(next - theta) < 1e-15)
@@ -495,9 +494,8 @@ HamiltonianRay::Event HamiltonianRay::findEvent() const
   {
     const bool side = (this->Region >> i & 1u) != 0;
     glm::dvec2 normal;
-    const auto crossed = [&](double theta) {
-      return (seafloor.kinkLevel(i, this->densePosition(theta), normal) > 0.0) != side;
-    };
+    const auto crossed = [&](double theta)
+    { return (seafloor.kinkLevel(i, this->densePosition(theta), normal) > 0.0) != side; };
     // A ray may clip a curve: look at inner points too.
     double before = 0.0;
     for (const double theta : { 0.25, 0.5, 0.75, 1.0 })
@@ -541,7 +539,8 @@ void HamiltonianRay::findLandOrHole(Event& event) const
   }
 
   BedSample bed;
-  const auto aground = [&](double theta) {
+  const auto aground = [&](double theta)
+  {
     seafloor.evaluate(this->densePosition(theta), this->Region, bed);
     return this->Medium.waterLevel - bed.elevation < this->Medium.agroundDepth;
   };
@@ -576,7 +575,8 @@ void HamiltonianRay::countCaustics(double from, double to, int& caustics, bool& 
   // Twice within a third of a step would need a lens far smaller than the steps resolve.
   for (const double theta : { from + (to - from) / 3.0, from + (to - from) * 2.0 / 3.0, to })
   {
-    const double width = this->dense(theta, Kx) * this->dense(theta, DY) - this->dense(theta, Ky) * this->dense(theta, DX);
+    const double width =
+      this->dense(theta, Kx) * this->dense(theta, DY) - this->dense(theta, Ky) * this->dense(theta, DX);
     if (width != 0.0 && (width < 0.0) != negative)
     {
       negative = !negative;

@@ -22,8 +22,9 @@ constexpr double SmallestSlope = 1e-4;
 // A wave that comes in more nearly along an edge, or along the contours, than this does not come in.
 constexpr double Grazing = 1e-6;
 
-constexpr std::size_t FewestParts = 400;
-constexpr std::size_t MostParts = 4000;
+// Parts of the whole outline in which it is looked at for land and holes.
+constexpr double FewestParts = 1600.0;
+constexpr double MostParts = 16000.0;
 
 // Gauss-Legendre nodes and weights on [-1, 1], 5 points (Abramowitz and Stegun 1964, table 25.4).
 constexpr std::array<double, 5> GaussNode{ -0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
@@ -69,32 +70,38 @@ LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const Incide
     }
   }
 
-  const Rectangle box = seafloor.bounds();
-  const std::array<glm::dvec2, 4> corners{ box.low, glm::dvec2(box.low.x, box.high.y), box.high,
-    glm::dvec2(box.high.x, box.low.y) };
+  const std::vector<glm::dvec2> corners = seafloor.outline();
   // Begin at the corner that the wave leaves the scene by, so that the edges it comes in by follow each other.
   const glm::dvec2 t0 = wave.direction();
   std::size_t first = 0;
-  for (std::size_t i = 1; i < 4; ++i)
+  for (std::size_t i = 1; i < corners.size(); ++i)
   {
     if (glm::dot(corners[i] - corners[first], t0) > 0.0)
     {
       first = i;
     }
   }
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    this->Perimeter += glm::length(corners[(i + 1) % corners.size()] - corners[i]);
+  }
   bool open = false;
   int segment = -1;
-  for (std::size_t i = 0; i < 4; ++i)
+  for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    const glm::dvec2 from = corners[(first + i) % 4];
-    const glm::dvec2 to = corners[(first + i + 1) % 4];
+    const glm::dvec2 from = corners[(first + i) % corners.size()];
+    const glm::dvec2 to = corners[(first + i + 1) % corners.size()];
     Side side;
     side.corner = from;
     side.length = glm::length(to - from);
+    if (!(side.length > 0.0))
+    {
+      continue;
+    }
     side.along = (to - from) / side.length;
     side.inward = -leftOf(side.along);
     this->Sides.push_back(side);
-    this->walk(side, static_cast<int>(i), open, segment);
+    this->walk(side, static_cast<int>(this->Sides.size()) - 1, open, segment);
   }
 
   double earliest = 0.0;
@@ -130,7 +137,8 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   const double k = solveWavenumber(this->Wave.angularFrequency(), depth, gravity);
   Frequency f;
   evaluateFrequency(k, depth, gravity, f);
-  const double kAlong = water ? f.h / f.k * glm::dot(bed.gradient, side.along) : 0.0; // dk/dl = -(sigma_h/sigma_k) dh/dl
+  const double kAlong =
+    water ? f.h / f.k * glm::dot(bed.gradient, side.along) : 0.0; // dk/dl = -(sigma_h/sigma_k) dh/dl
 
   const glm::dvec2 t0 = this->Wave.direction();
   EdgeWave wave;
@@ -204,9 +212,8 @@ void LaunchLine::append(int index, int segment, double from, double to)
 
 void LaunchLine::walk(const Side& side, int index, bool& open, int& segment)
 {
-  const double wanted = side.length / this->Floor->resolution();
-  const auto parts = static_cast<std::size_t>(
-    std::clamp(wanted, static_cast<double>(FewestParts), static_cast<double>(MostParts)));
+  const double part = std::clamp(this->Floor->resolution(), this->Perimeter / MostParts, this->Perimeter / FewestParts);
+  const auto parts = static_cast<std::size_t>(std::ceil(side.length / part));
   double from = 0.0;
   bool entersFrom = this->edgeWave(side, 0.0).enters;
   for (std::size_t i = 1; i <= parts; ++i)

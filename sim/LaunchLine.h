@@ -80,7 +80,7 @@ private:
   {
     int side = 0;
     int segment = 0;
-    double from = 0.0;   ///< m along the side
+    double from = 0.0; ///< m along the side
     double to = 0.0;
     double lambda = 0.0; ///< at from, m
     double phase = 0.0;  ///< at from, rad
@@ -110,6 +110,7 @@ private:
   std::vector<Side> Sides;
   std::vector<Stretch> Stretches;
   double Length = 0.0;
+  double Perimeter = 0.0;
 };
 
 }

@@ -51,7 +51,8 @@ struct Local
  * Rates of change of the state by time.
  * @return false, with rates untouched, where the depth is not above dryDepth
  */
-inline bool evaluate(const RayMedium& medium, unsigned region, double dryDepth, const State& y, State& rate, Local& local)
+inline bool evaluate(
+  const RayMedium& medium, unsigned region, double dryDepth, const State& y, State& rate, Local& local)
 {
   BedSample bed;
   medium.seafloor->evaluate(glm::dvec2(y[X], y[Y]), region, bed);

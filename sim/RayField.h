@@ -12,7 +12,7 @@ namespace swellray
 /** State of a ray on a front (Gonzato and Le Saec 1997, section 3.3). */
 enum class RayState : std::uint8_t
 {
-  Dead = 0,    ///< left the scene, or lies between two aground rays
+  Dead = 0, ///< left the scene, or lies between two aground rays
   Alive = 1,
   Flat = 2,    ///< wave height below the threshold: traced, but not refined
   Aground = 3, ///< reached the beach; follows the shoreline from there on
@@ -43,26 +43,26 @@ constexpr std::uint32_t BetweenFronts = 0xffffffffu;
 /** One position of a ray. */
 struct RayPoint
 {
-  glm::dvec2 position{ 0.0 };   ///< m
-  glm::dvec2 wavenumber{ 0.0 }; ///< vector, rad/m, along the direction the wave goes to
+  glm::dvec2 position{ 0.0 };     ///< m
+  glm::dvec2 wavenumber{ 0.0 };   ///< vector, rad/m, along the direction the wave goes to
   glm::dvec2 rayDirection{ 0.0 }; ///< unit vector along the ray
-  double depth = 0.0;           ///< m
-  double phase = 0.0;           ///< S, rad
-  double travelTime = 0.0;      ///< s since launch
-  double tubeWidth = 0.0;       ///< signed width of the ray tube over its width offshore (beta); NaN where it has none
-  double spacingWidth = 0.0;    ///< the same from the neighbouring rays, unsigned; NaN where a ray has no neighbour
-  std::uint32_t front = 0;      ///< number of the front, or BetweenFronts
-  std::int32_t caustics = 0;    ///< caustics passed (KMAH index)
+  double depth = 0.0;             ///< m
+  double phase = 0.0;             ///< S, rad
+  double travelTime = 0.0;        ///< s since launch
+  double tubeWidth = 0.0;    ///< signed width of the ray tube over its width offshore (beta); NaN where it has none
+  double spacingWidth = 0.0; ///< the same from the neighbouring rays, unsigned; NaN where a ray has no neighbour
+  std::uint32_t front = 0;   ///< number of the front, or BetweenFronts
+  std::int32_t caustics = 0; ///< caustics passed (KMAH index)
   RayState state = RayState::Alive;
 };
 
 /** What holds for a whole ray. */
 struct RayInfo
 {
-  double launchParameter = 0.0; ///< lambda, m along the incident crest
-  std::int32_t parent = -1;     ///< ray it was inserted beside, -1 for a launched ray
+  double launchParameter = 0.0;   ///< lambda, m along the incident crest
+  std::int32_t parent = -1;       ///< ray it was inserted beside, -1 for a launched ray
   std::int32_t launchSegment = 0; ///< piece of the launch line; rays of different pieces are no neighbours
-  bool lee = false;             ///< a model of diffraction, not a refracted ray
+  bool lee = false;               ///< a model of diffraction, not a refracted ray
   RayState finalState = RayState::Alive;
   EndReason endReason = EndReason::StepCap;
   double dispersionError = 0.0; ///< largest ||k|/k(h) - 1| seen along the ray: a free check of the integration
@@ -77,14 +77,14 @@ struct RayField
   std::vector<RayInfo> rays;
   std::vector<std::size_t> offsets{ 0 };
   std::vector<RayPoint> points;
-  std::uint32_t fronts = 0;   ///< number of fronts that were traced
-  double spacing = 0.0;       ///< launch spacing used, m
-  double maxSpacing = 0.0;    ///< insertion threshold used, m
-  double launchWidth = 0.0;   ///< length of the launch line along the incident crest, m
-  bool rayCapReached = false; ///< no more rays were inserted because of the cap
-  bool stepCapReached = false;///< rays ended because of the cap on fronts or steps
+  std::uint32_t fronts = 0;    ///< number of fronts that were traced
+  double spacing = 0.0;        ///< launch spacing used, m
+  double maxSpacing = 0.0;     ///< insertion threshold used, m
+  double launchWidth = 0.0;    ///< length of the launch line along the incident crest, m
+  bool rayCapReached = false;  ///< no more rays were inserted because of the cap
+  bool stepCapReached = false; ///< rays ended because of the cap on fronts or steps
   bool cancelled = false;
-  std::size_t evaluations = 0;///< evaluations of the ray equations
+  std::size_t evaluations = 0; ///< evaluations of the ray equations
 
   /**
    * Points at which the wave feels the bottom (kh < pi) in more than twice its height of water, and how many of

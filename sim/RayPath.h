@@ -10,10 +10,10 @@ namespace swellray
 struct RayMedium
 {
   const Seafloor* seafloor = nullptr;
-  double waterLevel = 0.0;   ///< m, positive up
-  double gravity = 9.81;     ///< m/s2
+  double waterLevel = 0.0;       ///< m, positive up
+  double gravity = 9.81;         ///< m/s2
   double angularFrequency = 0.0; ///< rad/s
-  double agroundDepth = 0.1; ///< a ray ends where it gets shallower than this, m, > 0
+  double agroundDepth = 0.1;     ///< a ray ends where it gets shallower than this, m, > 0
 
   double depth(const glm::dvec2& p) const { return waterLevel - seafloor->elevation(p); }
 };

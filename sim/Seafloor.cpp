@@ -6,6 +6,12 @@
 namespace swellray
 {
 
+std::vector<glm::dvec2> Seafloor::outline() const
+{
+  const Rectangle box = this->bounds();
+  return { box.low, glm::dvec2(box.low.x, box.high.y), box.high, glm::dvec2(box.high.x, box.low.y) };
+}
+
 double Seafloor::kinkLevel(unsigned, const glm::dvec2&, glm::dvec2& gradient) const
 {
   gradient = glm::dvec2(0.0);

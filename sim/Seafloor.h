@@ -3,6 +3,7 @@
 #include <glm/vec2.hpp>
 
 #include <cstddef>
+#include <vector>
 
 namespace swellray
 {
@@ -14,18 +15,15 @@ struct Rectangle
   glm::dvec2 high{ 0.0 };
 
   glm::dvec2 size() const { return high - low; }
-  bool contains(const glm::dvec2& p) const
-  {
-    return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y;
-  }
+  bool contains(const glm::dvec2& p) const { return p.x >= low.x && p.x <= high.x && p.y >= low.y && p.y <= high.y; }
 };
 
 /** Elevation of the bed and its first and second derivatives at a point. */
 struct BedSample
 {
-  double elevation = 0.0;    ///< m, positive up
+  double elevation = 0.0;     ///< m, positive up
   glm::dvec2 gradient{ 0.0 }; ///< m/m
-  double xx = 0.0;           ///< second derivatives, 1/m
+  double xx = 0.0;            ///< second derivatives, 1/m
   double xy = 0.0;
   double yy = 0.0;
 };
@@ -67,6 +65,12 @@ public:
 
   /** Size of the grid's cells, the larger of the two, m; 0 for a formula. */
   virtual double cellSize() const { return 0.0; }
+
+  /**
+   * Outline of the scene as a convex polygon, clockwise, m: the edges through which waves come in. The bounds,
+   * unless the seafloor's data end before them.
+   */
+  virtual std::vector<glm::dvec2> outline() const;
 
   /** Number of kink curves, at most 32. */
   virtual unsigned kinkCount() const { return 0; }

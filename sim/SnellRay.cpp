@@ -42,12 +42,12 @@ bool SnellRay::advance(FrontMeasure measure, double target, RayPoint& point)
   {
     switch (measure)
     {
-      case FrontMeasure::Phase:
-        return place.phase;
-      case FrontMeasure::Time:
-        return place.travelTime;
-      default:
-        return place.length;
+    case FrontMeasure::Phase:
+      return place.phase;
+    case FrontMeasure::Time:
+      return place.travelTime;
+    default:
+      return place.length;
     }
   };
   while (true)
@@ -86,8 +86,7 @@ bool SnellRay::contourNormal(const glm::dvec2& position, double depth, glm::dvec
     const std::size_t j = (i + 1) % 3;
     if ((difference[i] < 0.0) != (difference[j] < 0.0))
     {
-      crossing[crossings++] =
-        corner[i] + (corner[j] - corner[i]) * (difference[i] / (difference[i] - difference[j]));
+      crossing[crossings++] = corner[i] + (corner[j] - corner[i]) * (difference[i] / (difference[i] - difference[j]));
     }
   }
   if (crossings != 2)
@@ -128,9 +127,8 @@ bool SnellRay::step()
     const double across = glm::dot(direction, normal);
     const glm::dvec2 tangent = direction - across * normal;
     const double sine = glm::length(tangent) * ratio;
-    direction = sine < 1.0
-      ? tangent * ratio + normal * std::copysign(std::sqrt(1.0 - sine * sine), across)
-      : glm::normalize(tangent - across * normal); // total reflection
+    direction = sine < 1.0 ? tangent * ratio + normal * std::copysign(std::sqrt(1.0 - sine * sine), across)
+                           : glm::normalize(tangent - across * normal); // total reflection
   }
 
   double length = this->Step;
@@ -161,9 +159,8 @@ bool SnellRay::step()
   for (int i = 1; i <= parts; ++i)
   {
     const double at = length * i / parts;
-    const auto landAt = [&](double s) {
-      return this->Medium.depth(position + s * direction) < this->Medium.agroundDepth;
-    };
+    const auto landAt = [&](double s)
+    { return this->Medium.depth(position + s * direction) < this->Medium.agroundDepth; };
     const auto holeAt = [&](double s) { return seafloor.isHole(position + s * direction); };
     const bool land = landAt(at);
     if (land || holeAt(at))

@@ -1,5 +1,6 @@
 #include "sim/SplineSeafloor.h"
 
+#include "sim/ConvexOutline.h"
 #include "sim/FillHoles.h"
 
 #include <algorithm>
@@ -286,6 +287,38 @@ glm::dvec2 SplineSeafloor::cell(const glm::dvec2& p) const
   const glm::dvec2 u = (p - this->Bounds.low) * this->InverseSpacing;
   return { std::floor(std::min(std::max(0.0, u.x), this->LastCell.x)),
     std::floor(std::min(std::max(0.0, u.y), this->LastCell.y)) };
+}
+
+std::vector<glm::dvec2> SplineSeafloor::outline() const
+{
+  if (this->HoleCell.empty())
+  {
+    return this->Seafloor::outline();
+  }
+  // The first and last cell of a row hold the corners of the hull.
+  std::vector<glm::dvec2> corners;
+  for (std::size_t j = 0; j < this->CellRows; ++j)
+  {
+    const auto row = this->HoleCell.begin() + static_cast<std::ptrdiff_t>(j * this->CellColumns);
+    const auto end = row + static_cast<std::ptrdiff_t>(this->CellColumns);
+    const auto first = std::find(row, end, 0);
+    if (first == end)
+    {
+      continue;
+    }
+    const auto last = std::find(std::make_reverse_iterator(end), std::make_reverse_iterator(row), 0).base();
+    for (const std::size_t i : { static_cast<std::size_t>(first - row), static_cast<std::size_t>(last - row) })
+    {
+      for (const std::size_t k : { j, j + 1 })
+      {
+        // On the last row and column the bounds to the last bit, so that these edges are known to lie on them.
+        corners.push_back({ i == this->CellColumns ? this->Bounds.high.x
+                                                   : this->Bounds.low.x + this->Spacing.x * static_cast<double>(i),
+          k == this->CellRows ? this->Bounds.high.y : this->Bounds.low.y + this->Spacing.y * static_cast<double>(k) });
+      }
+    }
+  }
+  return insetConvex(convexHull(std::move(corners)), 1.5 * this->cellSize(), this->Bounds);
 }
 
 bool SplineSeafloor::isHole(const glm::dvec2& p) const

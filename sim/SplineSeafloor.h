@@ -34,6 +34,8 @@ public:
   double featureLength() const override;
   double resolution() const override;
   double cellSize() const override { return this->Spacing.x > this->Spacing.y ? this->Spacing.x : this->Spacing.y; }
+  /** With holes: the convex hull of the cells with data, one and a half cells further in where it cuts cells. */
+  std::vector<glm::dvec2> outline() const override;
   bool hasHoles() const override { return !this->HoleCell.empty(); }
   bool isHole(const glm::dvec2& p) const override;
   /**

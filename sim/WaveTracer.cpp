@@ -86,8 +86,7 @@ RayField traceWaves(
   medium.gravity = wave.gravity;
   medium.angularFrequency = wave.angularFrequency();
   medium.agroundDepth = options.agroundDepth.value_or(AgroundShare * wave.height);
-  const LaunchLine line(
-    seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal);
+  const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal);
   if (!(line.length() > 0.0))
   {
     throw std::runtime_error("a wave from " + number(wave.directionFrom) +
