@@ -23,7 +23,7 @@ namespace
 {
 
 // Sizes in units of the type: what stands around the map.
-constexpr double LeftMargin = 6.0;
+constexpr double LeftMargin = 5.4;
 constexpr double RightMargin = 1.2;
 constexpr double TopMargin = 5.2;
 constexpr double BottomMargin = 4.4;

@@ -17,9 +17,9 @@ struct ChartContent
   vtkImageData* seafloor = nullptr; ///< point array Elevation
   vtkPolyData* contours = nullptr;  ///< cell array Depth
   vtkPolyData* rays = nullptr;
-  vtkPolyData* crests = nullptr;    ///< cell array CrestNumber
-  double waterLevel = 0.0;          ///< m
-  std::string colorBy;              ///< point array of the rays; empty: one colour
+  vtkPolyData* crests = nullptr; ///< cell array CrestNumber
+  double waterLevel = 0.0;       ///< m
+  std::string colorBy;           ///< point array of the rays; empty: one colour
   std::string title;
 };
 
@@ -35,11 +35,11 @@ struct PixelBox
 /** Where the parts of a chart lie. */
 struct ChartLayout
 {
-  int width = 0;     ///< of the picture, pixels
+  int width = 0; ///< of the picture, pixels
   int height = 0;
   double unit = 0.0; ///< size of the type, pixels; every other size follows it
   PixelBox map;
-  PixelBox column;   ///< beside the map: arrows, colour scales, legend, scale bar
+  PixelBox column; ///< beside the map: arrows, colour scales, legend, scale bar
 };
 
 /**

@@ -14,7 +14,6 @@
 #include <vtkRect.h>
 #include <vtkTextProperty.h>
 
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,6 +29,7 @@ namespace
 
 const Rgb Ink{ 0.13, 0.15, 0.18 };
 const Rgb SoftInk{ 0.36, 0.39, 0.43 };
+const Rgb ShoreInk{ 0.27, 0.23, 0.18 };
 
 constexpr double KilometresFrom = 5000.0; // extent from which the axes count in kilometres, m
 
@@ -50,6 +50,8 @@ void ChartItem::setContent(const ChartContent& content, const ChartLayout& layou
   this->Bed.waterLevel = content.waterLevel;
   this->Bed.deepest = roundRange(0.0, std::max(1e-6, this->Depths.deepest)).high;
   this->Bed.highest = std::max(1e-6, this->Depths.highest);
+  this->Bed.shore = ShoreInk;
+  this->Bed.shoreWidth = std::max(1, static_cast<int>(std::lround(0.05 * layout.unit)));
   this->Background = seafloorPicture(
     content.seafloor, this->Bed, static_cast<int>(layout.map.width), static_cast<int>(layout.map.height));
 }
@@ -69,7 +71,7 @@ bool ChartItem::Paint(vtkContext2D* painter)
   // The colour scales share what is left, but a scale need not be taller than it is useful.
   const bool rayScale = this->Colors.kind == RayColors::Kind::Scale;
   const double room = top - bottom - 1.6 * u;
-  const double height = std::min(rayScale ? 0.5 * room : room, 15.0 * u);
+  const double height = std::min(rayScale ? 0.5 * room : room, 18.0 * u);
   const double spare = room - (rayScale ? 2.0 : 1.0) * height;
   double y = top - (rayScale ? 0.33 : 0.5) * spare;
   if (rayScale)
@@ -131,20 +133,17 @@ void ChartItem::paintLine(vtkContext2D* painter, const PixelLine& line)
   double width = 0.075 * u;
   switch (line.kind)
   {
-    case LineKind::Contour:
-      width = 0.045 * u;
-      break;
-    case LineKind::Shore:
-      width = 0.08 * u;
-      break;
-    case LineKind::Crest:
-      width = 0.05 * u;
-      break;
-    case LineKind::AgroundRay:
-      width = 0.11 * u;
-      break;
-    default:
-      break;
+  case LineKind::Contour:
+    width = 0.045 * u;
+    break;
+  case LineKind::Crest:
+    width = 0.05 * u;
+    break;
+  case LineKind::AgroundRay:
+    width = 0.11 * u;
+    break;
+  default:
+    break;
   }
   this->pen(painter, Ink, width);
   const int count = static_cast<int>(line.points.size() / 2);
@@ -197,8 +196,8 @@ void ChartItem::paintMap(vtkContext2D* painter)
   this->brush(painter, { 1.0, 1.0, 1.0 });
   for (std::size_t i = 0; i + 1 < this->Lines.breakers.size(); i += 2)
   {
-    painter->DrawEllipse(this->Lines.breakers[i], this->Lines.breakers[i + 1], static_cast<float>(0.14 * u),
-      static_cast<float>(0.14 * u));
+    painter->DrawEllipse(
+      this->Lines.breakers[i], this->Lines.breakers[i + 1], static_cast<float>(0.14 * u), static_cast<float>(0.14 * u));
   }
   painter->GetDevice()->EnableClipping(false);
 
@@ -238,15 +237,15 @@ void ChartItem::paintAxes(vtkContext2D* painter)
       if (axis == 0)
       {
         const double x = map.x + share * map.width;
-        painter->DrawLine(
-          static_cast<float>(x), static_cast<float>(map.y), static_cast<float>(x), static_cast<float>(map.y - 0.45 * u));
+        painter->DrawLine(static_cast<float>(x), static_cast<float>(map.y), static_cast<float>(x),
+          static_cast<float>(map.y - 0.45 * u));
         this->text(painter, x, map.y - 1.25 * u, ticks.label(value), 0.85 * u, Align::Center);
       }
       else
       {
         const double y = map.y + share * map.height;
-        painter->DrawLine(
-          static_cast<float>(map.x), static_cast<float>(y), static_cast<float>(map.x - 0.45 * u), static_cast<float>(y));
+        painter->DrawLine(static_cast<float>(map.x), static_cast<float>(y), static_cast<float>(map.x - 0.45 * u),
+          static_cast<float>(y));
         this->text(painter, map.x - 0.75 * u, y, ticks.label(value), 0.85 * u, Align::Right);
       }
     }
@@ -266,7 +265,7 @@ void ChartItem::paintAxes(vtkContext2D* painter)
     north = fmt::format("{} north of y = {:.10g}", unit, georeference.originY());
   }
   this->text(painter, map.x + 0.5 * map.width, map.y - 2.7 * u, east, 0.9 * u, Align::Center, map.width);
-  this->text(painter, map.x - 4.7 * u, map.y + 0.5 * map.height, north, 0.9 * u, Align::Center, 0.0, false, 90.0);
+  this->text(painter, map.x - 4.1 * u, map.y + 0.5 * map.height, north, 0.9 * u, Align::Center, 0.0, false, 90.0);
 }
 
 void ChartItem::paintHeading(vtkContext2D* painter)
@@ -368,11 +367,9 @@ double ChartItem::paintArrows(vtkContext2D* painter, double top)
   this->Content.seafloor->GetBounds(bounds);
   const Georeference georeference = georeferenceOf(this->Content.seafloor);
   // True north lies this much anticlockwise from the map's upward axis.
-  const double convergence =
-    georeference.convergence({ 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) });
+  const double convergence = georeference.convergence({ 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) });
   const bool known = std::isfinite(convergence) && georeference.kind() != GeoreferenceKind::Local;
-  this->paintArrow(
-    painter, column.x + 2.6 * u, y, known ? -convergence : 0.0, known ? "true north" : "north", false);
+  this->paintArrow(painter, column.x + 2.6 * u, y, known ? -convergence : 0.0, known ? "true north" : "north", false);
   const auto direction =
     this->Content.rays ? fieldNumber(this->Content.rays, "DirectionFrom") : std::optional<double>();
   if (direction)
@@ -490,7 +487,7 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
   };
 
   const std::string every =
-    this->Lines.rayStride > 1 ? fmt::format(", every {}th drawn", this->Lines.rayStride) : std::string();
+    this->Lines.rayStride > 1 ? fmt::format(" (1 in {} drawn)", this->Lines.rayStride) : std::string();
   if (this->Colors.kind == RayColors::Kind::States)
   {
     const char* names[4] = { "dead", "alive", "flat", "aground" };
@@ -499,7 +496,8 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
       if (this->Lines.states[static_cast<std::size_t>(state)])
       {
         const Rgb color = stateColor(state);
-        entries.push_back({ std::string("ray, ") + names[state], sample(LineKind::Ray, [color](double) { return color; }) });
+        entries.push_back(
+          { std::string("ray, ") + names[state], sample(LineKind::Ray, [color](double) { return color; }) });
       }
     }
   }
@@ -531,26 +529,20 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
   {
     const auto water = patch(waterMap().rgb(0.6));
     const auto crest = sample(LineKind::Crest, [](double) { return Rgb{ 1.0, 1.0, 1.0 }; });
-    entries.push_back(
-      { this->Lines.crestStride > 1 ? fmt::format("every {}th crest", this->Lines.crestStride) : "crest",
-        [water, crest](double y)
-        {
-          water(y);
-          crest(y);
-        } });
+    entries.push_back({ this->Lines.crestStride > 1 ? fmt::format("crest (1 in {})", this->Lines.crestStride) : "crest",
+      [water, crest](double y)
+      {
+        water(y);
+        crest(y);
+      } });
   }
   if (has(LineKind::Contour))
   {
     const Rgb color = lineColor(LineKind::Contour);
-    entries.push_back({ this->Lines.contourInterval > 0.0
-        ? fmt::format("depth, every {} m", shortNumber(this->Lines.contourInterval))
-        : "depth contour",
-      sample(LineKind::Contour, [color](double) { return color; }) });
-  }
-  if (has(LineKind::Shore))
-  {
-    const Rgb color = lineColor(LineKind::Shore);
-    entries.push_back({ "shoreline", sample(LineKind::Shore, [color](double) { return color; }) });
+    entries.push_back(
+      { this->Lines.contourInterval > 0.0 ? fmt::format("depth, every {} m", shortNumber(this->Lines.contourInterval))
+                                          : "depth contour",
+        sample(LineKind::Contour, [color](double) { return color; }) });
   }
   if (this->Depths.highest > 0.0)
   {
@@ -568,7 +560,8 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
   {
     entry.draw(y);
     painter->GetTextProp()->SetColor(Ink[0], Ink[1], Ink[2]);
-    this->text(painter, right + 0.7 * u, y, entry.words, 0.85 * u, Align::Left, column.x + column.width - right - 0.7 * u);
+    this->text(
+      painter, right + 0.7 * u, y, entry.words, 0.85 * u, Align::Left, column.x + column.width - right - 0.7 * u);
     y -= step;
   }
   return top;

@@ -28,11 +28,13 @@ namespace
 constexpr double RayGap = 0.45;
 constexpr double CrestGap = 0.9;
 
+// A picture shows at least about this many of the launched rays.
+constexpr int LeastRays = 80;
+
 // Points nearer than this (pixels) to the one before are not drawn.
 constexpr double PointGap = 0.7;
 
 const Rgb ContourColor{ 0.16, 0.27, 0.38 };
-const Rgb ShoreColor{ 0.25, 0.21, 0.16 };
 const Rgb PlainRayColor{ 0.74, 0.16, 0.12 };
 const Rgb AgroundColor{ 0.36, 0.27, 0.20 };
 const Rgb CrestColor{ 1.0, 1.0, 1.0 };
@@ -134,12 +136,15 @@ void addContours(ChartLines& lines, const ChartContent& content, const Projectio
   {
     const double depth = depths ? depths->GetComponent(cell, 0) : 1.0;
     const bool shore = std::abs(depth) < 1e-9;
-    if (depth > -1e-9)
+    if (shore)
+    {
+      continue; // the picture of the seafloor has it
+    }
+    if (depth > 0.0)
     {
       levels.insert(depth);
     }
-    addPlainLine(lines, content.contours, cell, project, shore ? LineKind::Shore : LineKind::Contour,
-      shore ? ShoreColor : ContourColor, shore ? 1.0 : 0.55);
+    addPlainLine(lines, content.contours, cell, project, LineKind::Contour, ContourColor, 0.55);
   }
   const std::vector<double> sorted(levels.begin(), levels.end());
   if (sorted.size() >= 3)
@@ -175,7 +180,7 @@ void addCrests(ChartLines& lines, const ChartContent& content, const ChartLayout
     const auto number = numbers ? static_cast<long long>(numbers->GetComponent(cell, 0)) : 0;
     if (number % lines.crestStride == 0)
     {
-      addPlainLine(lines, content.crests, cell, project, LineKind::Crest, CrestColor, 0.85);
+      addPlainLine(lines, content.crests, cell, project, LineKind::Crest, CrestColor, 0.8);
     }
   }
 }
@@ -189,7 +194,9 @@ int rayStride(vtkPolyData* rays, const ChartLayout& layout, const Projection& pr
     return 1;
   }
   const double pixels = spacing->GetComponent(0, 0) * project.scale;
-  return pixels > 0.0 ? std::max(1, static_cast<int>(std::ceil(RayGap * layout.unit / pixels))) : 1;
+  const double wanted = pixels > 0.0 ? RayGap * layout.unit / pixels : 1.0;
+  const double most = static_cast<double>(rays->GetNumberOfCells()) / LeastRays;
+  return std::max(1, static_cast<int>(std::ceil(std::min(wanted, most))));
 }
 
 // Of the launched and of the inserted rays, each in the order of the launch parameter, every stride-th.
@@ -281,19 +288,19 @@ private:
   {
     switch (this->Colors.kind)
     {
-      case RayColors::Kind::States:
-        return stateColor(state);
-      case RayColors::Kind::Scale:
+    case RayColors::Kind::States:
+      return stateColor(state);
+    case RayColors::Kind::Scale:
+    {
+      const double value = this->Value->GetComponent(point, 0);
+      if (aground || std::isnan(value))
       {
-        const double value = this->Value->GetComponent(point, 0);
-        if (aground || std::isnan(value))
-        {
-          return AgroundColor;
-        }
-        return rayMap().rgb(this->Colors.range.share(value));
+        return AgroundColor;
       }
-      default:
-        return aground ? AgroundColor : PlainRayColor;
+      return rayMap().rgb(this->Colors.range.share(value));
+    }
+    default:
+      return aground ? AgroundColor : PlainRayColor;
     }
   }
 
@@ -313,14 +320,14 @@ Rgb stateColor(int state)
 {
   switch (static_cast<RayState>(state))
   {
-    case RayState::Dead:
-      return { 0.35, 0.35, 0.35 };
-    case RayState::Flat:
-      return { 0.90, 0.62, 0.0 };
-    case RayState::Aground:
-      return { 0.80, 0.24, 0.10 };
-    default:
-      return { 0.10, 0.14, 0.42 };
+  case RayState::Dead:
+    return { 0.35, 0.35, 0.35 };
+  case RayState::Flat:
+    return { 0.90, 0.62, 0.0 };
+  case RayState::Aground:
+    return { 0.80, 0.24, 0.10 };
+  default:
+    return { 0.09, 0.10, 0.22 };
   }
 }
 

@@ -15,7 +15,6 @@ namespace swellray::cli
 enum class LineKind
 {
   Contour,
-  Shore,
   Crest,
   Ray,
   LeeRay,
@@ -50,13 +49,13 @@ struct RayColors
 /** Lines of a chart, ready to draw. */
 struct ChartLines
 {
-  std::vector<PixelLine> lines;     ///< in the order to draw
-  std::vector<float> breakers;      ///< x, y of the places where drawn rays begin to break
+  std::vector<PixelLine> lines; ///< in the order to draw
+  std::vector<float> breakers;  ///< x, y of the places where drawn rays begin to break
   std::map<LineKind, int> counts;
-  int rayStride = 1;   ///< every how many rays one is drawn
+  int rayStride = 1; ///< every how many rays one is drawn
   int crestStride = 1;
-  double contourInterval = 0.0;     ///< m; 0 where contours have no common step
-  std::array<bool, 4> states{};     ///< which ray states occur
+  double contourInterval = 0.0; ///< m; 0 where contours have no common step
+  std::array<bool, 4> states{}; ///< which ray states occur
 };
 
 /** Colours of the ray states DEAD, ALIVE, FLAT and AGROUND. */

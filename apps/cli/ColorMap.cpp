@@ -36,8 +36,8 @@ Lab ColorMap::lab(double t) const
 
 const ColorMap& waterMap()
 {
-  static const ColorMap map({ { 95, -6, -1 }, { 85, -14, -9 }, { 75, -15, -18 }, { 65, -12, -25 }, { 55, -7, -31 },
-    { 45, -1, -34 }, { 35, 4, -34 } });
+  static const ColorMap map(
+    { { 90, -13, -4 }, { 81, -17, -12 }, { 72, -17, -20 }, { 63, -14, -26 }, { 54, -9, -31 }, { 45, -4, -33 } });
   return map;
 }
 

@@ -64,11 +64,13 @@ Registered registerOption(CLI::App& app, const OptionSpec& spec)
   Registered registered{ spec, nullptr };
   if (spec.value.empty())
   {
-    registered.option = app.add_flag_function(spec.name, [](std::int64_t) {}, help);
+    registered.option = app.add_flag_function(
+      spec.name, [](std::int64_t) {}, help);
   }
   else
   {
-    registered.option = app.add_option(spec.name, [](const CLI::results_t&) { return true; }, help);
+    registered.option = app.add_option(
+      spec.name, [](const CLI::results_t&) { return true; }, help);
     registered.option->type_name(spec.value)->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   }
   registered.option->group(spec.group);
@@ -117,7 +119,8 @@ Parser::Parser(int argc, char** argv)
   this->Result.commandLine = lineAsTyped(argc, argv);
   this->App.get_formatter()->column_width(HelpColumn);
   this->App.set_help_flag("-h,--help", "show this help");
-  this->App.set_version_flag("--version", [] { return versionText(); }, "show the version and the libraries of this build");
+  this->App.set_version_flag(
+    "--version", [] { return versionText(); }, "show the version and the libraries of this build");
   this->App.require_subcommand(0, 1);
   this->App.allow_extras();
   this->App.footer("\n'swellray COMMAND --help' shows the options of a command and examples.\n"
@@ -156,7 +159,8 @@ void Parser::addCommand(const CommandSpec& spec)
   command.app->allow_extras();
   if (spec.takesSeafloor)
   {
-    command.seafloor = command.app->add_option("seafloor", [](const CLI::results_t&) { return true; },
+    command.seafloor = command.app->add_option(
+      "seafloor", [](const CLI::results_t&) { return true; },
       "a file, or a built-in form NAME:key=value,... (see 'swellray list')");
     command.seafloor->type_name("")->expected(1);
   }
@@ -181,8 +185,7 @@ void Parser::parse()
   }
 }
 
-void Parser::refuseExtra(
-  const std::string& extra, const std::vector<Registered>& known, const std::string& where) const
+void Parser::refuseExtra(const std::string& extra, const std::vector<Registered>& known, const std::string& where) const
 {
   const std::string word = extra.substr(0, extra.find('='));
   if (word.size() < 2 || word[0] != '-')
@@ -195,8 +198,7 @@ void Parser::refuseExtra(
     const auto own = namesOf(registered.spec);
     names.insert(names.end(), own.begin(), own.end());
   }
-  throw UsageError(
-    fmt::format("unknown option '{}'{}; did you mean '{}'?", word, where, suggestion(word, names)));
+  throw UsageError(fmt::format("unknown option '{}'{}; did you mean '{}'?", word, where, suggestion(word, names)));
 }
 
 void Parser::refuseExtras() const
@@ -227,7 +229,8 @@ void Parser::refuseExtras() const
   if (!after.empty())
   {
     // An option is the likelier slip: its value, left over beside it, is only a consequence.
-    const auto option = std::find_if(after.begin(), after.end(), [](const std::string& w) { return w.rfind("--", 0) == 0; });
+    const auto option =
+      std::find_if(after.begin(), after.end(), [](const std::string& w) { return w.rfind("--", 0) == 0; });
     this->refuseExtra(option == after.end() ? after.front() : *option, this->Chosen->options,
       fmt::format(" for '{}'", this->Chosen->spec.name));
   }
@@ -279,8 +282,8 @@ void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
       [&](const CommandApp& command) { return command.spec.name == item.parents.front(); });
     if (!known)
     {
-      throw UsageError(fmt::format("{}: unknown section [{}]; a section has the name of a command", this->ConfigFile,
-        item.parents.front()));
+      throw UsageError(fmt::format(
+        "{}: unknown section [{}]; a section has the name of a command", this->ConfigFile, item.parents.front()));
     }
     return;
   }

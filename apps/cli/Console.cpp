@@ -41,8 +41,9 @@ void Console::progress(const std::string& task, double share)
   constexpr int Width = 40;
   const double known = std::clamp(share, 0.0, 1.0);
   const int full = static_cast<int>(std::lround(known * Width));
-  const std::string bar = fmt::format("\r{:<10} [{}{}] {:3.0f} %", task, std::string(static_cast<std::size_t>(full), '#'),
-    std::string(static_cast<std::size_t>(Width - full), ' '), 100.0 * known);
+  const std::string bar =
+    fmt::format("\r{:<10} [{}{}] {:3.0f} %", task, std::string(static_cast<std::size_t>(full), '#'),
+      std::string(static_cast<std::size_t>(Width - full), ' '), 100.0 * known);
   if (bar != this->Shown)
   {
     std::fputs(bar.c_str(), stderr);

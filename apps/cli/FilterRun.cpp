@@ -5,6 +5,7 @@
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
 #include <vtkExecutive.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
@@ -56,17 +57,17 @@ public:
   {
     switch (event)
     {
-      case vtkCommand::ErrorEvent:
-        if (this->Error.empty())
-        {
-          this->Error = wordsOf(static_cast<const char*>(data));
-        }
-        break;
-      case vtkCommand::WarningEvent:
-        this->Screen->warn(wordsOf(static_cast<const char*>(data)));
-        break;
-      default:
-        this->Screen->progress(this->Task, static_cast<vtkAlgorithm*>(caller)->GetProgress());
+    case vtkCommand::ErrorEvent:
+      if (this->Error.empty())
+      {
+        this->Error = wordsOf(static_cast<const char*>(data));
+      }
+      break;
+    case vtkCommand::WarningEvent:
+      this->Screen->warn(wordsOf(static_cast<const char*>(data)));
+      break;
+    default:
+      this->Screen->progress(this->Task, static_cast<vtkAlgorithm*>(caller)->GetProgress());
     }
   }
 
@@ -81,6 +82,7 @@ void silenceVtk()
 {
   vtkNew<SilentWindow> window;
   vtkOutputWindow::SetInstance(window);
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
 }
 
 void runFilter(vtkAlgorithm* filter, const std::string& task, Console& console)

@@ -50,8 +50,8 @@ void runList()
       std::string about = key.description;
       about += key.symbol.empty() || key.symbol == key.name ? "" : fmt::format(" ({})", key.symbol);
       about += key.kind.empty() ? "" : fmt::format("; kind={}", key.kind);
-      std::printf("%s\n",
-        fmt::format("    {:<16} {:>9} {:<5} {}; {}", key.name, standard, unit, about, rangeText(key)).c_str());
+      std::printf(
+        "%s\n", fmt::format("    {:<16} {:>9} {:<5} {}; {}", key.name, standard, unit, about, rangeText(key)).c_str());
     }
     std::printf("%s\n",
       fmt::format("  Waves that suit it: --period {:g} --direction {:g}", form.period, form.directionFrom).c_str());

@@ -75,8 +75,7 @@ OptionSpec flag(const char* name, const char* help, const char* group, bool& tar
   return { name, "", help, "", group, false, [&target](const std::string&) { target = true; } };
 }
 
-OptionSpec outputFile(
-  const char* name, const char* help, std::string& target, const std::vector<std::string>& endings)
+OptionSpec outputFile(const char* name, const char* help, std::string& target, const std::vector<std::string>& endings)
 {
   OptionSpec spec{ name, "FILE", help, "", "Output", false, {} };
   const std::string longName = spec.longName();
@@ -96,6 +95,12 @@ OptionSpec outputFile(
   return spec;
 }
 
+bool sameFile(const std::string& a, const std::string& b)
+{
+  namespace fs = std::filesystem;
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
 void add(std::vector<OptionSpec>& options, std::vector<OptionSpec> more)
 {
   for (OptionSpec& option : more)
@@ -107,7 +112,8 @@ void add(std::vector<OptionSpec>& options, std::vector<OptionSpec> more)
 std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor)
 {
   const char* group = "Seafloor";
-  OptionSpec crop{ "--crop", "X0,Y0,X1,Y1", "keep this rectangle, in the grid's own coordinates", "", group, false, {} };
+  OptionSpec crop{ "--crop", "X0,Y0,X1,Y1", "keep this rectangle, in the grid's own coordinates", "", group, false,
+    {} };
   crop.set = [&seafloor](const std::string& typed)
   {
     const auto values = parseNumbers("--crop", typed, PlainNumber);
@@ -118,20 +124,19 @@ std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor)
     seafloor.crop = { values[0], values[1], values[2], values[3] };
   };
   return {
-    number("--water-level", "M", "height of the water above the file's zero (tide), m", "0", group,
-      seafloor.waterLevel, Metres),
-    choice("--positive", "sign of the file's values: elevation (up) or depth (down)", "auto", group,
-      seafloor.positive,
+    number("--water-level", "M", "height of the water above the file's zero (tide), m", "0", group, seafloor.waterLevel,
+      Metres),
+    choice("--positive", "sign of the file's values: elevation (up) or depth (down)", "auto", group, seafloor.positive,
       std::vector<std::pair<std::string, Positive>>{
         { "auto", Positive::Auto }, { "up", Positive::Up }, { "down", Positive::Down } }),
-    text("--crs", "CRS", "coordinate reference system of the file, as EPSG:28992, WKT or 'local'",
-      "as the file says", group, seafloor.crs),
+    text("--crs", "CRS", "coordinate reference system of the file, as EPSG:28992, WKT or 'local'", "as the file says",
+      group, seafloor.crs),
     crop,
     number("--resample", "M", "resample to this spacing, m", "", group, seafloor.resample, PositiveMetres),
     number("--smooth", "M", "smooth by a Gaussian of this standard deviation, m", "0", group, seafloor.smooth,
       NonNegativeMetres),
-    number("--nodata", "V", "value that marks cells without data", "as the file says", group, seafloor.nodata,
-      PlainNumber),
+    number(
+      "--nodata", "V", "value that marks cells without data", "as the file says", group, seafloor.nodata, PlainNumber),
     text("--variable", "NAME", "variable of a NetCDF file, or raster band", "the first that fits", group,
       seafloor.variable),
     number("--max-gap", "M", "fill gaps up to this width, m", "5 cells", group, seafloor.maxGap, NonNegativeMetres),
@@ -148,8 +153,8 @@ std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool requi
     setPeriod(typed);
     wanted = true;
   };
-  OptionSpec direction = number("--direction", "DEG",
-    "where the waves come from, degrees clockwise from north", "", group, wave.directionFrom, Degrees);
+  OptionSpec direction = number("--direction", "DEG", "where the waves come from, degrees clockwise from north", "",
+    group, wave.directionFrom, Degrees);
   OptionSpec height =
     number("--height", "M", "wave height offshore, crest to trough, m", "", group, wave.height, PositiveMetres);
   period.required = direction.required = height.required = required;
@@ -179,8 +184,8 @@ std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
   maxFronts.set = [&trace](const std::string& typed)
   { trace.maxFronts = static_cast<std::size_t>(parseWhole("--max-fronts", typed, 1, 100'000'000)); };
   return {
-    number("--spacing", "M", "distance of the rays along the incident crest, m", "from the scene", group,
-      trace.spacing, PositiveMetres),
+    number("--spacing", "M", "distance of the rays along the incident crest, m", "from the scene", group, trace.spacing,
+      PositiveMetres),
     number("--max-spacing", "M", "insert a ray where two are further apart, m", "1.5 times the spacing", group,
       trace.maxSpacing, PositiveMetres),
     number("--steps-per-wave", "N", "fronts a wavelength", "8", group, trace.stepsPerWave, PositiveNumber),
@@ -188,8 +193,8 @@ std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
     choice("--scheme", "integrate the ray equations, or Snell's law step by step (1997)", "ode", group, trace.scheme,
       std::vector<std::pair<std::string, TraceScheme>>{ { "ode", TraceScheme::Ode }, { "snell", TraceScheme::Snell } }),
     number("--tolerance", "E", "relative error a step of the integrator", "1e-8", group, trace.tolerance, Tolerance),
-    number("--flat-height", "M", "waves lower than this get no inserted rays, m", "5 % of the height", group, trace.flatHeight,
-      NonNegativeMetres),
+    number("--flat-height", "M", "waves lower than this get no inserted rays, m", "5 % of the height", group,
+      trace.flatHeight, NonNegativeMetres),
     choice("--insert", "how inserted rays are made", "retrace", group, trace.insertion,
       std::vector<std::pair<std::string, InsertionRule>>{ { "retrace", InsertionRule::Retrace },
         { "interpolate", InsertionRule::Interpolate }, { "none", InsertionRule::None } }),
@@ -199,8 +204,8 @@ std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
         { "contours", EdgeRule::Contours }, { "edge", EdgeRule::Edge }, { "none", EdgeRule::None } }),
     number("--shore-normal", "DEG", "direction the offshore contours face, degrees", "from the scene", group,
       trace.shoreNormal, Degrees),
-    number("--aground-depth", "M", "depth at which a ray is aground, m", "5 % of the height", group,
-      trace.agroundDepth, PositiveMetres),
+    number("--aground-depth", "M", "depth at which a ray is aground, m", "5 % of the height", group, trace.agroundDepth,
+      PositiveMetres),
     maxRays,
     maxFronts,
   };
@@ -274,7 +279,8 @@ CommandSpec traceSpec(Request& request)
   spec.examples =
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp --crests crests.vtp\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
-    "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o rays.vtp\n";
+    "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
+    "rays.vtp\n";
   return spec;
 }
 
@@ -354,12 +360,17 @@ void checkTogether(Request& request)
   }
   if (rays.trace.spacing && rays.trace.maxSpacing && *rays.trace.maxSpacing < *rays.trace.spacing)
   {
-    throw UsageError(fmt::format("--max-spacing must be at least --spacing, {:g} metres, not {:g}", *rays.trace.spacing,
-      *rays.trace.maxSpacing));
+    throw UsageError(fmt::format(
+      "--max-spacing must be at least --spacing, {:g} metres, not {:g}", *rays.trace.spacing, *rays.trace.maxSpacing));
   }
   if (request.command == Command::Trace && request.output.file.empty() && request.output.crests.empty())
   {
     throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp or both");
+  }
+  if (!request.output.file.empty() && !request.output.crests.empty() &&
+    sameFile(request.output.file, request.output.crests))
+  {
+    throw UsageError("--output and --crests name the same file; give two");
   }
   if (request.command == Command::Render)
   {

@@ -26,12 +26,12 @@ int edgeOf(EdgeRule rule)
 {
   switch (rule)
   {
-    case EdgeRule::Edge:
-      return vtkSwellRayTracer::EDGE_EDGE;
-    case EdgeRule::None:
-      return vtkSwellRayTracer::EDGE_NONE;
-    default:
-      return vtkSwellRayTracer::EDGE_CONTOURS;
+  case EdgeRule::Edge:
+    return vtkSwellRayTracer::EDGE_EDGE;
+  case EdgeRule::None:
+    return vtkSwellRayTracer::EDGE_NONE;
+  default:
+    return vtkSwellRayTracer::EDGE_CONTOURS;
   }
 }
 
@@ -39,12 +39,12 @@ int insertionOf(InsertionRule rule)
 {
   switch (rule)
   {
-    case InsertionRule::None:
-      return vtkSwellRayTracer::INSERT_NONE;
-    case InsertionRule::Interpolate:
-      return vtkSwellRayTracer::INSERT_INTERPOLATE;
-    default:
-      return vtkSwellRayTracer::INSERT_RETRACE;
+  case InsertionRule::None:
+    return vtkSwellRayTracer::INSERT_NONE;
+  case InsertionRule::Interpolate:
+    return vtkSwellRayTracer::INSERT_INTERPOLATE;
+  default:
+    return vtkSwellRayTracer::INSERT_RETRACE;
   }
 }
 
@@ -253,7 +253,8 @@ void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& reque
   const unsigned long code = writer->GetErrorCode();
   if (code != vtkErrorCode::NoError)
   {
-    reason = code == vtkErrorCode::OutOfDiskSpaceError ? "no space left on the device"
+    // VTK takes every write that fails for a full disk.
+    reason = code == vtkErrorCode::OutOfDiskSpaceError ? "the disk is full, or files may not get so large"
                                                        : vtkErrorCode::GetStringFromErrorCode(code);
   }
   if (!reason.empty() || !isComplete(file.temporary()))

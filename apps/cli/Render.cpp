@@ -42,9 +42,10 @@ void checkSamePlace(vtkDataObject* lines, vtkDataObject* seafloor, const std::st
     const double same = std::string(name).find("itude") == std::string::npos ? SameMetres : SameDegrees;
     if (here && there && std::abs(*here - *there) > same)
     {
-      throw WorkError(fmt::format("'{}' was made on another seafloor: its {} is {:.10g}, not {:.10g}; render it with the "
-                                  "seafloor and the seafloor options it was traced with",
-        path, name, *there, *here));
+      throw WorkError(
+        fmt::format("'{}' was made on another seafloor: its {} is {:.10g}, not {:.10g}; render it with the "
+                    "seafloor and the seafloor options it was traced with",
+          path, name, *there, *here));
     }
   }
 }

@@ -44,7 +44,7 @@ struct RayRequest
   IncidentWave wave;
   TraceOptions trace;
   HeightOptions height;
-  bool geometricCaustics = false;     ///< no cap of the refraction coefficient
+  bool geometricCaustics = false;      ///< no cap of the refraction coefficient
   std::optional<double> maxRefraction; ///< the cap where one was given
 };
 
@@ -54,11 +54,11 @@ constexpr const char* CrestsFromRays = "auto";
 /** Look of the picture. */
 struct RenderRequest
 {
-  std::string rays;    ///< file to draw; empty: none
-  std::string crests;  ///< file to draw, or CrestsFromRays; empty: none
+  std::string rays;   ///< file to draw; empty: none
+  std::string crests; ///< file to draw, or CrestsFromRays; empty: none
   std::string colorBy = "WaveHeight";
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
-  std::string title;   ///< empty: name of the seafloor
+  std::string title;                      ///< empty: name of the seafloor
 };
 
 /** Files to write; empty: not asked for. */
@@ -80,7 +80,7 @@ struct Request
   OutputRequest output;
   bool json = false;
   bool quiet = false;
-  int threads = 0; ///< 0: as many as the machine has
+  int threads = 0;         ///< 0: as many as the machine has
   std::string commandLine; ///< as typed, for the files
 };
 

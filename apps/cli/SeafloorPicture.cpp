@@ -19,8 +19,18 @@ namespace
 {
 
 // How strongly the light shows: enough to see the relief of land, a hint of it under water.
-constexpr double LandShading = 0.55;
+constexpr double LandShading = 0.45;
 constexpr double WaterShading = 0.16;
+
+// Flat land is often stored as elevation 0, and comes out of a spline as a hair's breadth of water.
+constexpr double LeastDepth = 0.02; // m
+
+enum Surface : unsigned char
+{
+  Water,
+  Land,
+  NoData,
+};
 
 // The relief is exaggerated until its rms slope is this.
 constexpr double ShownSlope = 0.4;
@@ -119,15 +129,22 @@ double brightness(double slopeX, double slopeY, double rmsSlope)
   return std::max(0.0, light) / std::sqrt(0.5);
 }
 
-Rgb colorAt(const Relief& relief, const SeafloorColors& colors, double column, double row)
+struct Pixel
+{
+  Surface surface = NoData;
+  Rgb color{};
+};
+
+Pixel pixelAt(const Relief& relief, const SeafloorColors& colors, double column, double row)
 {
   const int i = std::clamp(static_cast<int>(column), 0, std::max(0, relief.columns - 2));
   const int j = std::clamp(static_cast<int>(row), 0, std::max(0, relief.rows - 2));
   const double u = column - i;
   const double v = row - j;
-  const std::size_t corner[4] = { relief.index(i, j), relief.index(std::min(i + 1, relief.columns - 1), j),
-    relief.index(i, std::min(j + 1, relief.rows - 1)),
-    relief.index(std::min(i + 1, relief.columns - 1), std::min(j + 1, relief.rows - 1)) };
+  const int right = std::min(i + 1, relief.columns - 1);
+  const int up = std::min(j + 1, relief.rows - 1);
+  const std::size_t corner[4] = { relief.index(i, j), relief.index(right, j), relief.index(i, up),
+    relief.index(right, up) };
   const double weight[4] = { (1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v };
   double elevation = 0.0;
   double slopeX = 0.0;
@@ -140,15 +157,56 @@ Rgb colorAt(const Relief& relief, const SeafloorColors& colors, double column, d
   }
   if (!std::isfinite(elevation))
   {
-    return noDataColor();
+    return { NoData, noDataColor() };
   }
   const double depth = colors.waterLevel - elevation;
-  const bool water = depth > 0.0;
+  const bool water = depth > LeastDepth;
   Lab lab = water ? waterMap().lab(depth / colors.deepest) : landMap().lab(-depth / colors.highest);
   const double light = brightness(slopeX, slopeY, water ? relief.waterSlope : relief.landSlope);
   const double strength = water ? WaterShading : LandShading;
-  lab.lightness = std::min(99.0, lab.lightness * (1.0 + strength * (std::min(light, 1.3) - 1.0)));
-  return toRgb(lab);
+  lab.lightness = std::min(99.0, lab.lightness * (1.0 + strength * (std::min(light, 1.2) - 1.0)));
+  return { water ? Water : Land, toRgb(lab) };
+}
+
+void setPixel(unsigned char* pixel, const Rgb& color)
+{
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    pixel[channel] = static_cast<unsigned char>(std::lround(255.0 * color[static_cast<std::size_t>(channel)]));
+  }
+}
+
+// Colour the land's side of every place where water and land meet.
+void drawShore(unsigned char* pixels, const std::vector<unsigned char>& surfaces, int columns, int rows,
+  const SeafloorColors& colors)
+{
+  const auto at = [&](int column, int row)
+  {
+    return surfaces[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+      static_cast<std::size_t>(column)];
+  };
+  const int reach = colors.shoreWidth;
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (int row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+      {
+        for (int column = 0; column < columns; ++column)
+        {
+          if (at(column, row) != Land)
+          {
+            continue;
+          }
+          const bool wet = at(std::max(0, column - reach), row) == Water ||
+            at(std::min(columns - 1, column + reach), row) == Water || at(column, std::max(0, row - reach)) == Water ||
+            at(column, std::min(rows - 1, row + reach)) == Water;
+          if (wet)
+          {
+            setPixel(pixels + 3 * (static_cast<std::ptrdiff_t>(row) * columns + column), colors.shore);
+          }
+        }
+      }
+    });
 }
 
 }
@@ -182,23 +240,24 @@ vtkSmartPointer<vtkImageData> seafloorPicture(
   picture->SetDimensions(columns, rows, 1);
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
+  std::vector<unsigned char> surfaces(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
   vtkSMPTools::For(0, rows,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType row = begin; row < end; ++row)
       {
         const double y = (static_cast<double>(row) + 0.5) / rows * (relief.rows - 1);
-        unsigned char* out = pixels + 3 * row * columns;
         for (int column = 0; column < columns; ++column)
         {
           const double x = (column + 0.5) / columns * (relief.columns - 1);
-          for (const double channel : colorAt(relief, colors, x, y))
-          {
-            *out++ = static_cast<unsigned char>(std::lround(255.0 * channel));
-          }
+          const Pixel pixel = pixelAt(relief, colors, x, y);
+          const vtkIdType at = row * columns + column;
+          surfaces[static_cast<std::size_t>(at)] = pixel.surface;
+          setPixel(pixels + 3 * at, pixel.color);
         }
       }
     });
+  drawShore(pixels, surfaces, columns, rows, colors);
   return picture;
 }
 

@@ -12,9 +12,11 @@ namespace swellray::cli
 /** What the colours of the seafloor mean. */
 struct SeafloorColors
 {
-  double waterLevel = 0.0;  ///< m
-  double deepest = 1.0;     ///< depth of the last colour of water, m
-  double highest = 1.0;     ///< height over the water of the last colour of land, m
+  double waterLevel = 0.0; ///< m
+  double deepest = 1.0;    ///< depth of the last colour of water, m
+  double highest = 1.0;    ///< height over the water of the last colour of land, m
+  Rgb shore{};             ///< of the line between water and land
+  int shoreWidth = 2;      ///< pixels
 };
 
 /** Colour of the places without data. */

@@ -166,8 +166,8 @@ void runTrace(const Request& request, Console& console)
 
   sayRays(rays, console);
   sayHeights(rays, console);
-  console.say(fmt::format("time     {:.2f} s to read, {:.2f} s to trace, {:.2f} s to write", readSeconds, traceSeconds,
-    writing.seconds()));
+  console.say(fmt::format(
+    "time     {:.2f} s to read, {:.2f} s to trace, {:.2f} s to write", readSeconds, traceSeconds, writing.seconds()));
   std::string written;
   std::string names;
   for (const OutputFile* file : { raysFile.get(), crestsFile.get() })

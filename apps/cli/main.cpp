@@ -24,21 +24,21 @@ void run(const Request& request)
   Console console(request.quiet);
   switch (request.command)
   {
-    case Command::Info:
-      runInfo(request, console);
-      break;
-    case Command::Contour:
-      runContour(request, console);
-      break;
-    case Command::Trace:
-      runTrace(request, console);
-      break;
-    case Command::List:
-      runList();
-      break;
-    case Command::Render:
-      runRender(request, console);
-      break;
+  case Command::Info:
+    runInfo(request, console);
+    break;
+  case Command::Contour:
+    runContour(request, console);
+    break;
+  case Command::Trace:
+    runTrace(request, console);
+    break;
+  case Command::List:
+    runList();
+    break;
+  case Command::Render:
+    runRender(request, console);
+    break;
   }
 }
 
@@ -73,7 +73,8 @@ int main(int argc, char** argv)
   }
   catch (const std::bad_alloc&)
   {
-    return report("out of memory: take a part of the seafloor with --crop, or a coarser one with --resample", WorkFailed);
+    return report(
+      "out of memory: take a part of the seafloor with --crop, or a coarser one with --resample", WorkFailed);
   }
   catch (const std::exception& error)
   {
