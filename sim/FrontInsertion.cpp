@@ -19,10 +19,10 @@ namespace
 
 // Neighbours that started this much closer (in spacings) than the launched rays are refined no further. Between rays
 // on the water: what such a tube carries, spread over more than the spacing, is below a tenth of the incident energy density.
-// At the edge of a shadow the lee rays take over. Between lee rays only rounding sets a limit.
+// At the edge of a shadow the lee rays take over, and go on until they are flat.
 constexpr double FinestGap = 1.0 / 8.0;
 constexpr double FinestShadowGap = 0.5;
-constexpr double FinestLeeGap = 1.0 / 64.0;
+constexpr double FinestLeeGap = 1e-6;
 
 // Each pass over a front halves the gaps that are too wide.
 constexpr int InsertionPasses = 12;
@@ -122,7 +122,6 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
       return;
     }
   }
-  ray.startPhase = start.phase;
   ray.measure = this->measureOf(start);
   ray.path = this->makePath(start);
   this->advance(ray, std::max(target, ray.measure));

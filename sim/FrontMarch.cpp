@@ -21,8 +21,12 @@ namespace
 constexpr double FewestRays = 100.0;
 constexpr double MostRays = 2000.0;
 
+// Fronts a wavelength, halved until the launched rays have no more points than this between them.
+constexpr double UsualStepsPerWave = 8.0;
+constexpr double MostLaunchedPoints = 1.5e6;
+
 // Share of the incident height below which a wave is flat.
-constexpr double FlatShare = 0.05;
+constexpr double FlatShare = 0.1;
 
 // Cells a wavelength below which a grid is too coarse for the wave.
 constexpr double FewestCells = 5.0;
@@ -55,7 +59,16 @@ FrontMarch::FrontMarch(const RayMedium& medium, const IncidentWave& wave, const 
     this->Spacing = width / std::clamp(wanted, FewestRays, MostRays);
   }
   this->MaxSpacing = options.maxSpacing.value_or(1.5 * this->Spacing);
-  this->SnellStep = options.step.value_or(wavelength / options.stepsPerWave);
+  double steps = options.stepsPerWave.value_or(UsualStepsPerWave);
+  if (!options.stepsPerWave)
+  {
+    const double waves = glm::length(medium.seafloor->bounds().size()) / wavelength;
+    while (steps * waves * width / this->Spacing > MostLaunchedPoints)
+    {
+      steps *= 0.5;
+    }
+  }
+  this->SnellStep = options.step.value_or(wavelength / steps);
   if (options.step)
   {
     this->Measure = FrontMeasure::Length;
@@ -63,7 +76,8 @@ FrontMarch::FrontMarch(const RayMedium& medium, const IncidentWave& wave, const 
   }
   else
   {
-    this->FrontStep = 2.0 * Pi / options.stepsPerWave;
+    this->FrontStep = 2.0 * Pi / steps;
+    this->StepsPerWave = steps;
   }
 }
 
@@ -164,7 +178,6 @@ void FrontMarch::launchAll()
         const RayStart start = this->launch(ray.info.launchParameter, ray.info.launchSegment);
         ray.path = this->makePath(start);
         ray.measure = this->measureOf(start);
-        ray.startPhase = start.phase;
         RayPoint& point = ray.between[0];
         ray.path->advance(this->Measure, ray.measure, point);
         const double left = point.wavenumber.x * start.dPosition.y - point.wavenumber.y * start.dPosition.x;
@@ -184,6 +197,7 @@ void FrontMarch::launchAll()
 
 void FrontMarch::advance(Ray& ray, double target) const
 {
+  ray.launching = false;
   if (ray.waiting)
   {
     if (ray.measure > target)
@@ -193,7 +207,7 @@ void FrontMarch::advance(Ray& ray, double target) const
     ray.waiting = false;
     if (ray.measure > target - 1e-9 * this->FrontStep)
     {
-      // The launch point is the ray's place on this front.
+      ray.launching = true;
       ray.betweenCount = 0;
     }
   }
@@ -317,13 +331,14 @@ void FrontMarch::settleShore()
     }
     else if (right && aground(i))
     {
-      // Two that meet behind an island have closed the front.
+      // Two that meet behind an island have closed the front. What ran aground between them does not come back.
       const glm::dvec2 way = place(i + 1) - place(i);
       if (glm::length(way) < closed && glm::dot(this->standing(i).walk.direction(), way) > 0.0 &&
         glm::dot(this->standing(i + 1).walk.direction(), way) < 0.0)
       {
         dead[i] = true;
         dead[i + 1] = true;
+        this->Order[i].linked = false;
       }
     }
   }
@@ -440,7 +455,7 @@ void FrontMarch::measureSpacing()
   {
     Ray& ray = this->standing(i);
     // An aground ray keeps the width it grounded with; a launch point has the exact one.
-    if (!ray.waiting && isOnWater(ray.state) && ray.place.phase > ray.startPhase)
+    if (!ray.waiting && isOnWater(ray.state) && !ray.launching)
     {
       ray.place.spacingWidth = width[i];
     }
@@ -516,6 +531,7 @@ RayField FrontMarch::collect()
   field.fronts = this->Front;
   field.spacing = this->Spacing;
   field.maxSpacing = this->MaxSpacing;
+  field.stepsPerWave = this->StepsPerWave;
   field.launchWidth = this->Line.length();
   field.rayCapReached = this->RayCapReached;
   field.stepCapReached = this->StepCapReached;

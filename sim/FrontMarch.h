@@ -36,8 +36,8 @@ private:
     RayPoint place;                  // on the current front
     std::array<RayPoint, 2> between; // launch, and grounding or end, since the last front
     int betweenCount = 0;
-    double measure = 0.0; // phase or length reached
-    double startPhase = 0.0;
+    double measure = 0.0;   // phase or length reached
+    bool launching = false; // its place on this front is its launch point
   };
 
   /** A ray in its place along the front. */
@@ -106,6 +106,7 @@ private:
   double FrontStep = 1.0;
   double Spacing = 1.0;
   double MaxSpacing = 1.5;
+  double StepsPerWave = 0.0; // 0: fronts of equal length
   double SnellStep = 1.0;
   std::uint32_t Front = 0;
   std::vector<Ray> Rays;

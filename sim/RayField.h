@@ -80,6 +80,7 @@ struct RayField
   std::uint32_t fronts = 0;    ///< number of fronts that were traced
   double spacing = 0.0;        ///< launch spacing used, m
   double maxSpacing = 0.0;     ///< insertion threshold used, m
+  double stepsPerWave = 0.0;   ///< fronts a wavelength used; 0 for fronts of equal length
   double launchWidth = 0.0;    ///< length of the launch line along the incident crest, m
   bool rayCapReached = false;  ///< no more rays were inserted because of the cap
   bool stepCapReached = false; ///< rays ended because of the cap on fronts or steps

@@ -47,7 +47,10 @@ void TraceOptions::validate() const
   {
     requirePositive("max spacing", *this->maxSpacing, " m");
   }
-  requirePositive("steps per wave", this->stepsPerWave, "");
+  if (this->stepsPerWave)
+  {
+    requirePositive("steps per wave", *this->stepsPerWave, "");
+  }
   if (this->step)
   {
     requirePositive("step", *this->step, " m");

@@ -26,16 +26,16 @@ enum class InsertionRule
 
 struct TraceOptions
 {
-  double waterLevel = 0.0;          ///< m, positive up
-  std::optional<double> spacing;    ///< launch spacing along the incident crest, m, > 0
-  std::optional<double> maxSpacing; ///< insertion threshold, m, > 0; 1.5 times the spacing
-  double stepsPerWave = 8.0;        ///< fronts a wavelength, > 0
-  std::optional<double> step;       ///< fronts of equal length instead of equal phase, m, > 0
+  double waterLevel = 0.0;            ///< m, positive up
+  std::optional<double> spacing;      ///< launch spacing along the incident crest, m, > 0
+  std::optional<double> maxSpacing;   ///< insertion threshold, m, > 0; 1.5 times the spacing
+  std::optional<double> stepsPerWave; ///< fronts a wavelength, > 0; 8, or fewer in a scene of very many points
+  std::optional<double> step;         ///< fronts of equal length instead of equal phase, m, > 0
   TraceScheme scheme = TraceScheme::Ode;
   double tolerance = 1e-8; ///< relative, per step, > 0
   InsertionRule insertion = InsertionRule::Retrace;
   bool leeRays = true;                ///< model diffraction into the lee by inserted rays
-  std::optional<double> flatHeight;   ///< height below which a ray is FLAT, m, >= 0; 5 % of the incident height
+  std::optional<double> flatHeight;   ///< height below which a ray is FLAT, m, >= 0; a tenth of the incident height
   std::optional<double> agroundDepth; ///< depth at which a ray is aground, m, > 0; 5 % of the incident height
   EdgeRule edge = EdgeRule::Contours;
   std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours

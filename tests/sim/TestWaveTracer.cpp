@@ -1,0 +1,592 @@
+#include "sim/WaveTracer.h"
+
+#include "sim/Angles.h"
+#include "sim/BuiltinSeafloor.h"
+#include "sim/Dispersion.h"
+#include "sim/HamiltonianRay.h"
+#include "sim/LaunchLine.h"
+
+#include <glm/geometric.hpp>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <thread>
+
+using namespace swellray;
+
+namespace
+{
+
+// 100 m x 100 m scenes after section 3.4 of Gonzato and Le Saec 1997: a ray a metre, fronts every 0.4 m.
+constexpr const char* SteepIsland = "island:slope=0.2,shore-radius=12,toe-radius=20,xc=-15,x0=-50,y0=-50,x1=50,y1=50";
+
+IncidentWave smallWave(double directionFrom)
+{
+  IncidentWave wave;
+  wave.period = 4.0;
+  wave.height = 0.5;
+  wave.directionFrom = directionFrom;
+  return wave;
+}
+
+TraceOptions paperOptions()
+{
+  TraceOptions options;
+  options.spacing = 1.0;
+  options.maxSpacing = 1.2;
+  options.step = 0.4;
+  return options;
+}
+
+std::size_t countRays(const RayField& field, bool (*wanted)(const RayInfo&))
+{
+  return static_cast<std::size_t>(std::count_if(field.rays.begin(), field.rays.end(), wanted));
+}
+
+bool isInserted(const RayInfo& ray)
+{
+  return ray.parent >= 0;
+}
+
+bool isLee(const RayInfo& ray)
+{
+  return ray.lee;
+}
+
+// Rays of each front, in the order of lambda.
+std::map<std::uint32_t, std::vector<std::pair<double, const RayPoint*>>> frontsOf(const RayField& field)
+{
+  std::map<std::uint32_t, std::vector<std::pair<double, const RayPoint*>>> fronts;
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    for (std::size_t j = field.offsets[i]; j < field.offsets[i + 1]; ++j)
+    {
+      if (field.points[j].front != BetweenFronts)
+      {
+        fronts[field.points[j].front].emplace_back(field.rays[i].launchParameter, &field.points[j]);
+      }
+    }
+  }
+  for (auto& [front, places] : fronts)
+  {
+    std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  }
+  return fronts;
+}
+
+bool sameBits(double a, double b)
+{
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+
+void expectSame(const RayField& a, const RayField& b)
+{
+  ASSERT_EQ(a.offsets, b.offsets);
+  ASSERT_EQ(a.rays.size(), b.rays.size());
+  for (std::size_t i = 0; i < a.rays.size(); ++i)
+  {
+    EXPECT_TRUE(sameBits(a.rays[i].launchParameter, b.rays[i].launchParameter));
+    EXPECT_EQ(a.rays[i].parent, b.rays[i].parent);
+    EXPECT_EQ(a.rays[i].endReason, b.rays[i].endReason);
+    EXPECT_EQ(a.rays[i].finalState, b.rays[i].finalState);
+  }
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+  {
+    const RayPoint& p = a.points[i];
+    const RayPoint& q = b.points[i];
+    ASSERT_TRUE(sameBits(p.position.x, q.position.x) && sameBits(p.position.y, q.position.y) &&
+      sameBits(p.wavenumber.x, q.wavenumber.x) && sameBits(p.tubeWidth, q.tubeWidth) &&
+      sameBits(p.spacingWidth, q.spacingWidth) && sameBits(p.phase, q.phase) && p.front == q.front &&
+      p.caustics == q.caustics && p.state == q.state)
+      << "point " << i;
+  }
+}
+
+}
+
+TEST(WaveTracer, FrontsAreCrests)
+{
+  const auto seafloor = makeBuiltinSeafloor("plane:slope=0.02");
+  IncidentWave wave;
+  wave.directionFrom = 60.0;
+  TraceOptions options;
+  options.stepsPerWave = 4.0;
+  const RayField field = traceWaves(*seafloor, wave, options);
+  ASSERT_GE(field.rays.size(), 100u);
+  // Phases are read from the dense output by Newton to rounding.
+  constexpr double PhaseTolerance = 1e-9;
+  std::size_t seen = 0;
+  for (const RayPoint& point : field.points)
+  {
+    if (point.front != BetweenFronts && isOnWater(point.state))
+    {
+      EXPECT_NEAR(point.phase, point.front * 2.0 * Pi / 4.0, PhaseTolerance * std::max(1.0, point.phase));
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 5000u);
+  // The wave meets the scene at phase 0.
+  double earliest = 1e9;
+  for (const RayPoint& point : field.points)
+  {
+    earliest = std::min(earliest, point.phase);
+  }
+  EXPECT_GE(earliest, 0.0);
+  // The first ray starts half a spacing from there, where the phase is below k0 times that.
+  EXPECT_LT(earliest, wave.wavenumber() * field.spacing);
+}
+
+TEST(WaveTracer, FrontsOfEqualLength)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  const RayField field = traceWaves(*seafloor, smallWave(90.0), paperOptions());
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    for (std::size_t j = field.offsets[i] + 1; j < field.offsets[i + 1]; ++j)
+    {
+      const RayPoint& a = field.points[j - 1];
+      const RayPoint& b = field.points[j];
+      if (a.front != BetweenFronts && b.front != BetweenFronts && isOnWater(b.state))
+      {
+        ASSERT_EQ(b.front, a.front + 1);
+        // The length is integrated along with the ray, to its tolerance; a chord is shorter than its arc by
+        // step^3/(24 R^2), 1e-3 m where a ray bends over R = 1.6 m.
+        const double chord = glm::length(b.position - a.position);
+        EXPECT_LE(chord, 0.4 + 1e-7);
+        EXPECT_GE(chord, 0.4 - 1e-3);
+      }
+    }
+  }
+}
+
+TEST(WaveTracer, RunsAgroundAtTheAgroundDepthAndFollowsTheShore)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  const IncidentWave wave = smallWave(90.0);
+  const RayField field = traceWaves(*seafloor, wave, paperOptions());
+  const double depth = 0.05 * wave.height;
+  // The ground point is located by bisection, the walk by Newton on the contour.
+  constexpr double DepthTolerance = 1e-9;
+  std::size_t grounded = 0;
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    EXPECT_EQ(field.rays[i].endReason, EndReason::Aground);
+    bool aground = false;
+    for (std::size_t j = field.offsets[i]; j < field.offsets[i + 1]; ++j)
+    {
+      const RayPoint& point = field.points[j];
+      if (point.state == RayState::Aground)
+      {
+        aground = true;
+        EXPECT_NEAR(-seafloor->elevation(point.position), depth, DepthTolerance);
+      }
+      else if (point.state != RayState::Dead)
+      {
+        EXPECT_FALSE(aground) << "an aground ray went back to the water";
+        EXPECT_GT(point.depth, depth);
+      }
+    }
+    grounded += aground ? 1 : 0;
+  }
+  EXPECT_EQ(grounded, field.rays.size());
+  // Between two aground rays a ray is dead: at the end none but the outermost are left.
+  EXPECT_LE(countRays(field, [](const RayInfo& ray) { return ray.finalState == RayState::Aground; }), 2u);
+}
+
+TEST(WaveTracer, InsertsWhereRaysDiverge)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  const IncidentWave wave = smallWave(90.0);
+  TraceOptions options = paperOptions();
+  const RayField dense = traceWaves(*seafloor, wave, options);
+  options.insertion = InsertionRule::None;
+  const RayField plain = traceWaves(*seafloor, wave, options);
+  EXPECT_EQ(plain.rays.size(), 100u);
+  EXPECT_EQ(countRays(plain, isInserted), 0u);
+  EXPECT_GT(countRays(dense, isInserted), 50u);
+
+  // With insertion no two neighbours on the water stand further apart than asked.
+  const auto widest = [](const RayField& field)
+  {
+    double gap = 0.0;
+    for (const auto& [front, places] : frontsOf(field))
+    {
+      for (std::size_t i = 1; i < places.size(); ++i)
+      {
+        if (isOnWater(places[i - 1].second->state) && isOnWater(places[i].second->state))
+        {
+          gap = std::max(gap, glm::length(places[i].second->position - places[i - 1].second->position));
+        }
+      }
+    }
+    return gap;
+  };
+  EXPECT_LE(widest(dense), 1.2);
+  EXPECT_GT(widest(plain), 1.5);
+}
+
+TEST(WaveTracer, RetracedRaysAreExact)
+{
+  const auto seafloor = makeBuiltinSeafloor("headland");
+  const IncidentWave wave = smallWave(80.0);
+  TraceOptions options = paperOptions();
+  options.step.reset();
+  const RayField field = traceWaves(*seafloor, wave, options);
+  const LaunchLine line(*seafloor, 0.0, wave, 0.05 * wave.height, EdgeRule::Contours);
+  RayMedium medium;
+  medium.seafloor = seafloor.get();
+  medium.angularFrequency = wave.angularFrequency();
+  medium.agroundDepth = 0.05 * wave.height;
+  std::size_t compared = 0;
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    if (!isInserted(field.rays[i]) || field.rays[i].lee)
+    {
+      continue;
+    }
+    const LaunchPoint launch = line.at(field.rays[i].launchParameter);
+    RayStart start;
+    start.position = launch.position;
+    start.wavenumber = launch.wavenumber;
+    start.dPosition = launch.dPosition;
+    start.dWavenumber = launch.dWavenumber;
+    start.phase = launch.phase;
+    HamiltonianRay ray(medium, start, options.tolerance);
+    for (std::size_t j = field.offsets[i]; j < field.offsets[i + 1]; ++j)
+    {
+      const RayPoint& point = field.points[j];
+      RayPoint own;
+      if (point.front == BetweenFronts || !isOnWater(point.state))
+      {
+        break;
+      }
+      ASSERT_TRUE(ray.advance(FrontMeasure::Phase, point.phase, own));
+      // The same code from the same start: only the phase asked for may differ, by rounding.
+      EXPECT_NEAR(glm::length(own.position - point.position), 0.0, 1e-9);
+      EXPECT_NEAR(own.tubeWidth, point.tubeWidth, 1e-9 * std::max(1.0, std::abs(own.tubeWidth)));
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 100u);
+}
+
+TEST(WaveTracer, InterpolatedRaysStartBetweenTheirNeighbours)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  TraceOptions options = paperOptions();
+  options.insertion = InsertionRule::Interpolate;
+  const RayField field = traceWaves(*seafloor, smallWave(90.0), options);
+  const auto fronts = frontsOf(field);
+  std::size_t checked = 0;
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    if (!isInserted(field.rays[i]) || field.rays[i].lee)
+    {
+      continue;
+    }
+    const RayPoint& begin = field.points[field.offsets[i]];
+    const auto& places = fronts.at(begin.front);
+    const auto self = std::find_if(places.begin(), places.end(), [&](const auto& p) { return p.second == &begin; });
+    ASSERT_NE(self, places.end());
+    if (self == places.begin() || std::next(self) == places.end())
+    {
+      continue;
+    }
+    const glm::dvec2 middle = 0.5 * (std::prev(self)->second->position + std::next(self)->second->position);
+    EXPECT_NEAR(glm::length(middle - begin.position), 0.0, 1e-9);
+    ++checked;
+  }
+  EXPECT_GT(checked, 20u);
+}
+
+TEST(WaveTracer, LeeRaysFillTheShadowAndCanBeSwitchedOff)
+{
+  const auto seafloor = makeBuiltinSeafloor(SteepIsland);
+  TraceOptions options = paperOptions();
+  const RayField with = traceWaves(*seafloor, smallWave(270.0), options);
+  options.leeRays = false;
+  const RayField without = traceWaves(*seafloor, smallWave(270.0), options);
+  EXPECT_EQ(countRays(without, isLee), 0u);
+  EXPECT_GT(countRays(with, isLee), 20u);
+
+  // Count squares of the lee that a ray passes through.
+  const auto covered = [](const RayField& field)
+  {
+    std::map<std::pair<int, int>, bool> squares;
+    for (const RayPoint& point : field.points)
+    {
+      if (point.position.x > 10.0 && std::abs(point.position.y) < 12.0)
+      {
+        squares[{ static_cast<int>(point.position.x / 4.0), static_cast<int>(std::floor(point.position.y / 4.0)) }] =
+          true;
+      }
+    }
+    return squares.size();
+  };
+  EXPECT_LT(covered(without), 5u);
+  EXPECT_GT(covered(with), 50u);
+
+  for (std::size_t i = 0; i < with.rays.size(); ++i)
+  {
+    if (with.rays[i].lee)
+    {
+      // It begins in the water, with the width of a tube spread wider than at launch.
+      const RayPoint& begin = with.points[with.offsets[i]];
+      EXPECT_GT(begin.depth, 0.0);
+      EXPECT_GT(begin.spacingWidth, 1.0);
+    }
+  }
+}
+
+TEST(WaveTracer, FlatRaysAreNotRefined)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  TraceOptions options = paperOptions();
+  options.flatHeight = 10.0;
+  const RayField field = traceWaves(*seafloor, smallWave(90.0), options);
+  EXPECT_EQ(countRays(field, isInserted), 0u);
+  std::size_t flat = 0;
+  for (const RayPoint& point : field.points)
+  {
+    flat += point.state == RayState::Flat ? 1 : 0;
+  }
+  EXPECT_GT(flat, field.points.size() / 2);
+
+  options.flatHeight = 0.0;
+  const RayField none = traceWaves(*seafloor, smallWave(90.0), options);
+  EXPECT_TRUE(
+    std::none_of(none.points.begin(), none.points.end(), [](const RayPoint& p) { return p.state == RayState::Flat; }));
+}
+
+TEST(WaveTracer, CapsEndAnySceneAndSaySo)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  TraceOptions options = paperOptions();
+  options.maxFronts = 20;
+  const RayField fronts = traceWaves(*seafloor, smallWave(90.0), options);
+  EXPECT_TRUE(fronts.stepCapReached);
+  EXPECT_GT(countRays(fronts, [](const RayInfo& ray) { return ray.endReason == EndReason::StepCap; }), 90u);
+
+  options = paperOptions();
+  options.maxRays = 110;
+  const RayField rays = traceWaves(*seafloor, smallWave(90.0), options);
+  EXPECT_TRUE(rays.rayCapReached);
+  EXPECT_EQ(rays.rays.size(), 110u);
+
+  options.maxRays = 10;
+  EXPECT_EQ(traceWaves(*seafloor, smallWave(90.0), options).rays.size(), 10u);
+}
+
+TEST(WaveTracer, CancelsWhenAsked)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  Execution execution;
+  int calls = 0;
+  execution.progress = [&calls](double share)
+  {
+    EXPECT_GE(share, 0.0);
+    EXPECT_LE(share, 1.0);
+    return ++calls < 10;
+  };
+  const RayField field = traceWaves(*seafloor, smallWave(90.0), paperOptions(), execution);
+  EXPECT_TRUE(field.cancelled);
+  EXPECT_EQ(calls, 10);
+  EXPECT_EQ(countRays(field, [](const RayInfo& ray) { return ray.endReason == EndReason::Cancelled; }), 100u);
+}
+
+TEST(WaveTracer, TheSameForAnyLoop)
+{
+  for (const char* form : { SteepIsland, "bay" })
+  {
+    const auto seafloor = makeBuiltinSeafloor(form);
+    const IncidentWave wave = smallWave(form == std::string("bay") ? 75.0 : 250.0);
+    const RayField one = traceWaves(*seafloor, wave, paperOptions());
+    Execution execution;
+    execution.loop = [](std::size_t n, const std::function<void(std::size_t, std::size_t)>& body)
+    {
+      // Odd chunks, taken by three threads as they come.
+      constexpr std::size_t Chunk = 7;
+      std::atomic<std::size_t> next{ 0 };
+      std::vector<std::thread> threads;
+      for (int t = 0; t < 3; ++t)
+      {
+        threads.emplace_back(
+          [&]
+          {
+            for (std::size_t begin = next.fetch_add(Chunk); begin < n; begin = next.fetch_add(Chunk))
+            {
+              body(begin, std::min(n, begin + Chunk));
+            }
+          });
+      }
+      for (std::thread& thread : threads)
+      {
+        thread.join();
+      }
+    };
+    TraceOptions options = paperOptions();
+    const RayField many = traceWaves(*seafloor, wave, options, execution);
+    expectSame(one, many);
+  }
+}
+
+TEST(WaveTracer, SpacingAndTubeAgreeToSecondOrder)
+{
+  // Over a shoal, before the rays focus.
+  const auto seafloor = makeBuiltinSeafloor("shoal:kind=gauss,h0=20,a=8,sg=300,x0=-1800,y0=-1200,x1=150,y1=1200");
+  IncidentWave wave;
+  wave.period = 10.0;
+  wave.directionFrom = 270.0;
+  const auto worst = [&](double spacing)
+  {
+    TraceOptions options;
+    options.spacing = spacing;
+    options.insertion = InsertionRule::None;
+    options.tolerance = 1e-11;
+    const RayField field = traceWaves(*seafloor, wave, options);
+    double error = 0.0;
+    for (const RayPoint& point : field.points)
+    {
+      if (point.front != BetweenFronts && point.position.x > -600.0 && std::abs(point.position.y) < 900.0)
+      {
+        error = std::max(error, std::abs(point.spacingWidth / point.tubeWidth - 1.0));
+      }
+    }
+    return error;
+  };
+  const double coarse = worst(40.0);
+  const double medium = worst(20.0);
+  const double fine = worst(10.0);
+  EXPECT_GT(coarse, 1e-3); // there is something to measure
+  EXPECT_NEAR(std::log2(coarse / medium), 2.0, 0.5);
+  EXPECT_NEAR(std::log2(medium / fine), 2.0, 0.3);
+}
+
+TEST(WaveTracer, UnequalSpacingIsOfSecondOrderToo)
+{
+  // Inserted rays make neighbours stand at unequal distances; the widths must not show it.
+  const auto seafloor = makeBuiltinSeafloor("headland");
+  TraceOptions options = paperOptions();
+  options.spacing = 0.5;
+  options.maxSpacing = 0.55;
+  options.leeRays = false;
+  const RayField field = traceWaves(*seafloor, smallWave(90.0), options);
+  EXPECT_GT(countRays(field, isInserted), 20u);
+  double error = 0.0;
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    for (std::size_t j = field.offsets[i]; j < field.offsets[i + 1]; ++j)
+    {
+      const RayPoint& point = field.points[j];
+      if (point.front != BetweenFronts && isOnWater(point.state) && std::isfinite(point.spacingWidth) &&
+        point.depth > 0.2)
+      {
+        error = std::max(error, std::abs(point.spacingWidth - std::abs(point.tubeWidth)));
+      }
+    }
+  }
+  // One-sided differences beside the shore are the worst of them: a few per cent at this spacing.
+  EXPECT_LT(error, 0.1);
+}
+
+TEST(WaveTracer, HeightsOnAStraightBeachAreExactAtSideEdgesToo)
+{
+  // Kr = sqrt(cos theta0 / cos theta) holds along every ray, wherever it came in (Snell's law).
+  const auto seafloor = makeBuiltinSeafloor("plane:slope=0.02,x0=-50,x1=1500,y0=-1000,y1=1000");
+  IncidentWave wave;
+  wave.period = 9.0;
+  wave.directionFrom = 50.0; // 40 degrees from the shore normal
+  TraceOptions options;
+  options.tolerance = 1e-10;
+  const RayField field = traceWaves(*seafloor, wave, options);
+  const double sine0 = std::sin(radians(40.0));
+  const double cosine0 = std::cos(radians(40.0));
+  const double k0 = wave.wavenumber();
+  std::size_t fromSide = 0;
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    fromSide += std::abs(field.points[field.offsets[i]].position.x - 1500.0) > 1.0 ? 1 : 0;
+    for (std::size_t j = field.offsets[i]; j < field.offsets[i + 1]; ++j)
+    {
+      const RayPoint& point = field.points[j];
+      if (!isOnWater(point.state))
+      {
+        continue;
+      }
+      const double k = solveWavenumber(wave.angularFrequency(), point.depth);
+      const double sine = sine0 * k0 / k;
+      EXPECT_NEAR(point.tubeWidth, std::sqrt(1.0 - sine * sine) / cosine0, 1e-7);
+      EXPECT_NEAR(std::abs(point.wavenumber.y), k0 * sine0, 1e-9 * k0);
+    }
+  }
+  EXPECT_GT(fromSide, 20u);
+}
+
+TEST(WaveTracer, CrossingRaysKeepBothSheets)
+{
+  const auto seafloor = makeBuiltinSeafloor("shoal:kind=gauss,h0=20,a=14,sg=300,x0=-1800,y0=-1800,x1=3000,y1=1800");
+  IncidentWave wave;
+  wave.period = 10.0;
+  wave.directionFrom = 270.0;
+  TraceOptions options;
+  options.spacing = 30.0;
+  const RayField field = traceWaves(*seafloor, wave, options);
+  std::size_t crossed = 0;
+  for (const auto& [front, places] : frontsOf(field))
+  {
+    for (std::size_t i = 1; i < places.size(); ++i)
+    {
+      // Lambda grows with y: a neighbour further south has crossed over.
+      crossed += places[i].second->position.y < places[i - 1].second->position.y ? 1 : 0;
+    }
+  }
+  EXPECT_GT(crossed, 1000u);
+  EXPECT_TRUE(std::any_of(
+    field.points.begin(), field.points.end(), [](const RayPoint& p) { return p.caustics == 1 && p.tubeWidth < 0.0; }));
+}
+
+TEST(WaveTracer, MonitorsTheDispersionRelation)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  TraceOptions options = paperOptions();
+  for (const double tolerance : { 1e-6, 1e-9 })
+  {
+    options.tolerance = tolerance;
+    const RayField field = traceWaves(*seafloor, smallWave(90.0), options);
+    for (const RayInfo& ray : field.rays)
+    {
+      // Some tens of steps, each within the tolerance.
+      EXPECT_LT(ray.dispersionError, 100.0 * tolerance);
+    }
+  }
+}
+
+TEST(WaveTracer, WrongCalls)
+{
+  const auto seafloor = makeBuiltinSeafloor("bay");
+  const IncidentWave wave = smallWave(90.0);
+  const auto refused = [&](auto&& change)
+  {
+    TraceOptions options;
+    change(options);
+    EXPECT_THROW(traceWaves(*seafloor, wave, options), std::invalid_argument);
+  };
+  refused([](TraceOptions& o) { o.spacing = 0.0; });
+  refused([](TraceOptions& o) { o.maxSpacing = -1.0; });
+  refused([](TraceOptions& o) { o.stepsPerWave = std::nan(""); });
+  refused([](TraceOptions& o) { o.step = 0.0; });
+  refused([](TraceOptions& o) { o.tolerance = 1.0; });
+  refused([](TraceOptions& o) { o.flatHeight = -1.0; });
+  refused([](TraceOptions& o) { o.agroundDepth = 0.0; });
+  refused([](TraceOptions& o) { o.waterLevel = std::nan(""); });
+  refused([](TraceOptions& o) { o.maxRays = 0; });
+  IncidentWave bad = wave;
+  bad.period = 0.0;
+  EXPECT_THROW(traceWaves(*seafloor, bad, {}), std::invalid_argument);
+  // From the land side nothing comes in.
+  EXPECT_THROW(traceWaves(*seafloor, smallWave(270.0), {}), std::runtime_error);
+}
