@@ -49,12 +49,13 @@ double angleBetween(double a, double b, double weight, double lowest)
   return value < lowest ? value + 360.0 : value >= lowest + 360.0 ? value - 360.0 : value;
 }
 
-void normalize(double* vector)
+template <typename Value>
+void normalize(Value* vector)
 {
   const double length = std::hypot(vector[0], vector[1], vector[2]);
   if (length > 0.0)
   {
-    std::transform(vector, vector + 3, vector, [=](double component) { return component / length; });
+    std::transform(vector, vector + 3, vector, [=](Value component) { return static_cast<Value>(component / length); });
   }
 }
 
@@ -78,24 +79,14 @@ void interpolate(Array* from, Array* to, const std::vector<RayPlace>& places)
         const Value* first = values + places[i].point * components;
         const Value* second = places[i].weight == 0.0 ? first : first + components;
         Value* target = result + i * components;
-        double mixed[3];
         for (int c = 0; c < components; ++c)
         {
-          const double value = angle ? angleBetween(first[c], second[c], places[i].weight, lowest)
-                                     : between(first[c], second[c], places[i].weight);
-          if (unit)
-          {
-            mixed[c] = value;
-          }
-          else
-          {
-            target[c] = static_cast<Value>(value);
-          }
+          target[c] = static_cast<Value>(angle ? angleBetween(first[c], second[c], places[i].weight, lowest)
+                                               : between(first[c], second[c], places[i].weight));
         }
         if (unit)
         {
-          normalize(mixed);
-          std::copy(mixed, mixed + 3, target);
+          normalize(target);
         }
       }
     });

@@ -20,6 +20,7 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -204,7 +205,7 @@ int vtkSwellRayTracer::RequestData(
     if (coarse > CoarseShare)
     {
       vtkWarningMacro("the seafloor grid, with cells of " << seafloor->cellSize() << " m, is coarse for this wave: at "
-                                                          << static_cast<int>(100.0 * coarse + 0.5)
+                                                          << std::lround(100.0 * coarse)
                                                           << " % of the ray points that feel the bottom a wavelength "
                                                              "has fewer than 5 cells");
     }

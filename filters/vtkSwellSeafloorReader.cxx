@@ -87,9 +87,9 @@ vtkSwellSeafloorReader::vtkSwellSeafloorReader()
 
 vtkSwellSeafloorReader::~vtkSwellSeafloorReader()
 {
-  this->SetFileName(nullptr);
-  this->SetCRS(nullptr);
-  this->SetVariable(nullptr);
+  delete[] this->FileName;
+  delete[] this->CRS;
+  delete[] this->Variable;
 }
 
 bool vtkSwellSeafloorReader::Load()
