@@ -67,7 +67,7 @@ bool SnellRay::advance(FrontMeasure measure, double target, RayPoint& point)
   }
 }
 
-bool SnellRay::contourNormal(const glm::dvec2& position, double depth, glm::dvec2& normal) const
+bool SnellRay::contourNormal(const glm::dvec2& position, double depth, glm::dvec2& normal, double& slope) const
 {
   // Circumscribed radius of the triangle: half a step sees the bed between this point and the next.
   const double radius = 0.5 * this->Step;
@@ -100,6 +100,10 @@ bool SnellRay::contourNormal(const glm::dvec2& position, double depth, glm::dvec
     return false;
   }
   normal = glm::dvec2(-along.y, along.x) / length;
+  const glm::dvec2 gradient = (2.0 / (3.0 * radius * radius)) *
+    (difference[0] * (corner[0] - position) + difference[1] * (corner[1] - position) +
+      difference[2] * (corner[2] - position));
+  slope = glm::length(gradient);
   return true;
 }
 
@@ -120,15 +124,25 @@ bool SnellRay::step()
   const double k = solveWavenumber(omega, depth, this->Medium.gravity);
   const double depthAhead = this->Medium.depth(position + this->Step * direction);
   glm::dvec2 normal;
-  if (depthAhead > this->Medium.agroundDepth && this->contourNormal(position, depth, normal))
+  double slope = 0.0;
+  if (depthAhead > this->Medium.agroundDepth && this->contourNormal(position, depth, normal, slope))
   {
     // sin i2 / C2 = sin i1 / C1, angles from the normal on the side the ray goes to.
     const double ratio = k / solveWavenumber(omega, depthAhead, this->Medium.gravity);
     const double across = glm::dot(direction, normal);
     const glm::dvec2 tangent = direction - across * normal;
-    const double sine = glm::length(tangent) * ratio;
-    direction = sine < 1.0 ? tangent * ratio + normal * std::copysign(std::sqrt(1.0 - sine * sine), across)
-                           : glm::normalize(tangent - across * normal); // total reflection
+    const double sine = glm::length(tangent);
+    if (sine * ratio < 1.0)
+    {
+      direction = tangent * ratio + normal * std::copysign(std::sqrt(1.0 - sine * sine * ratio * ratio), across);
+    }
+    else
+    {
+      // Along the contour Snell's law has no answer: the ray turns back from the deep as the slope here says. To reflect
+      // it would be to catch every ray that passes a shoal, at any step.
+      const double turn = 1.0 - solveWavenumber(omega, depth + slope * this->Step, this->Medium.gravity) / k;
+      direction = glm::normalize(tangent / sine + normal * (across - std::copysign(turn, across)));
+    }
   }
 
   double length = this->Step;

@@ -30,7 +30,7 @@ private:
   };
 
   bool step();
-  bool contourNormal(const glm::dvec2& position, double depth, glm::dvec2& normal) const;
+  bool contourNormal(const glm::dvec2& position, double depth, glm::dvec2& normal, double& slope) const;
   void describe(double share, RayPoint& point);
 
   RayMedium Medium;

@@ -74,6 +74,36 @@ TEST(SnellRay, isOfFirstOrderInTheStepOnAPlaneBeach)
   }
 }
 
+TEST(SnellRay, isOfFirstOrderPastAShoal)
+{
+  // Past the top of a shoal every ray runs along a contour for a while, where Snell's law alone would catch it.
+  const auto seafloor = makeBuiltinSeafloor("shoal:kind=gauss,h0=20,a=14,sg=300,x0=-1900,x1=1900,y0=-1900,y1=1900");
+  const RayMedium medium = mediumOf(*seafloor, 10.0, 0.05);
+  std::vector<double> errors;
+  for (const double step : { 16.0, 8.0, 4.0, 2.0 })
+  {
+    double sum = 0.0;
+    for (int i = -60; i <= 60; ++i)
+    {
+      const RayStart start = startHeading(medium, { -1800.0, 10.0 * i + 1.7 }, 0.0, { 0.0, 1.0 });
+      HamiltonianRay exact(medium, start, 1e-10);
+      SnellRay ray(medium, start, step);
+      RayPoint p;
+      RayPoint q;
+      ASSERT_TRUE(exact.advance(FrontMeasure::Length, 2800.0, p));
+      ASSERT_TRUE(ray.advance(FrontMeasure::Length, 2800.0, q));
+      const double error = glm::length(p.position - q.position);
+      EXPECT_LT(error, 10.0 * step) << "y0 = " << 10.0 * i + 1.7; // none is caught
+      sum += error * error;
+    }
+    errors.push_back(std::sqrt(sum / 121.0));
+    std::cout << "snell, step " << step << " m: " << errors.back() << " m rms\n";
+  }
+  const double order = std::log2(errors.front() / errors.back()) / 3.0;
+  EXPECT_GT(order, 0.8);
+  EXPECT_LT(order, 1.3);
+}
+
 TEST(SnellRay, goesStraightOverAFlatBed)
 {
   const auto seafloor = makeBuiltinSeafloor("shoal:a=0,h0=12");
