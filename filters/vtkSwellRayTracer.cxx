@@ -111,6 +111,7 @@ void setFields(
   swellray::setFieldValue(output, "LaunchSpacing", field.spacing);
   swellray::setFieldValue(output, "MaxSpacing", field.maxSpacing);
   swellray::setFieldValue(output, "LaunchWidth", field.launchWidth);
+  swellray::setFieldValue(output, "StepsPerWave", field.stepsPerWave);
   swellray::setFieldInteger(output, "Fronts", static_cast<int>(field.fronts));
   swellray::setFieldInteger(output, "RayCapReached", field.rayCapReached ? 1 : 0);
   swellray::setFieldInteger(output, "StepCapReached", field.stepCapReached ? 1 : 0);
@@ -163,13 +164,16 @@ int vtkSwellRayTracer::RequestData(
     options.waterLevel = this->WaterLevel;
     options.spacing = unlessZero(this->Spacing);
     options.maxSpacing = unlessZero(this->MaxSpacing);
-    options.stepsPerWave = this->StepsPerWave;
+    options.stepsPerWave = unlessZero(this->StepsPerWave);
     options.step = unlessZero(this->Step);
     options.scheme = static_cast<swellray::TraceScheme>(this->Scheme);
     options.tolerance = this->Tolerance;
     options.insertion = static_cast<swellray::InsertionRule>(this->Insertion);
     options.leeRays = this->LeeRays != 0;
-    options.flatHeight = this->FlatHeight;
+    if (this->FlatHeight != -1.0)
+    {
+      options.flatHeight = this->FlatHeight;
+    }
     options.agroundDepth = unlessZero(this->AgroundDepth);
     options.edge = static_cast<swellray::EdgeRule>(this->Edge);
     options.shoreNormal = this->UseShoreNormal ? std::optional<double>(this->ShoreNormal) : std::nullopt;

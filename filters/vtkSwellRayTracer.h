@@ -43,7 +43,7 @@ class SeafloorField;
  *
  * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, incident),
  * OffshoreDepth (m, infinite: deep), Gravity (m/s2), WaterLevel (m), LaunchSpacing, MaxSpacing, LaunchWidth (m: as
- * used), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest | |k|/k(h) - 1 | on a ray) and
+ * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest | |k|/k(h) - 1 | on a ray) and
  * SwellrayVersion.
  *
  * A cap that is reached, and a grid too coarse for the wave, is said by a warning. After an abort the output holds
@@ -125,7 +125,7 @@ public:
   ///@}
 
   ///@{
-  /** Fronts a wavelength; > 0, default 8. Not used where Step is set. */
+  /** Fronts a wavelength; default 0: 8, or fewer in a scene of very many points. Not used where Step is set. */
   vtkSetMacro(StepsPerWave, double);
   vtkGetMacro(StepsPerWave, double);
   ///@}
@@ -170,7 +170,7 @@ public:
   ///@}
 
   ///@{
-  /** Wave height below which a ray is FLAT: traced, but not refined, m; >= 0, default 0. */
+  /** Wave height below which a ray is FLAT: traced, but not refined, m; default -1: a tenth of the incident height. */
   vtkSetMacro(FlatHeight, double);
   vtkGetMacro(FlatHeight, double);
   ///@}
@@ -243,13 +243,13 @@ protected:
   double WaterLevel = 0.0;
   double Spacing = 0.0;
   double MaxSpacing = 0.0;
-  double StepsPerWave = 8.0;
+  double StepsPerWave = 0.0;
   double Step = 0.0;
   int Scheme = ODE;
   double Tolerance = 1e-8;
   int Insertion = INSERT_RETRACE;
   vtkTypeBool LeeRays = 1;
-  double FlatHeight = 0.0;
+  double FlatHeight = -1.0;
   double AgroundDepth = 0.0;
   int Edge = EDGE_CONTOURS;
   vtkTypeBool UseShoreNormal = 0;

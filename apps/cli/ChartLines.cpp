@@ -199,24 +199,39 @@ int rayStride(vtkPolyData* rays, const ChartLayout& layout, const Projection& pr
   return std::max(1, static_cast<int>(std::ceil(std::min(wanted, most))));
 }
 
-// Of the launched and of the inserted rays, each in the order of the launch parameter, every stride-th.
+// Of the launched, the inserted and the lee rays, each in the order of the launch parameter, every stride-th; of lee
+// rays, which crowd where they start, as many as of the launched ones.
 std::vector<vtkIdType> raysToDraw(vtkPolyData* rays, int stride)
 {
   std::vector<vtkIdType> order(static_cast<std::size_t>(rays->GetNumberOfCells()));
   std::iota(order.begin(), order.end(), vtkIdType(0));
   vtkDataArray* lambda = rays->GetCellData()->GetArray("LaunchParameter");
   vtkDataArray* parent = rays->GetCellData()->GetArray("ParentRay");
+  vtkDataArray* lee = rays->GetCellData()->GetArray("LeeRay");
   if (lambda)
   {
     std::stable_sort(order.begin(), order.end(),
       [&](vtkIdType a, vtkIdType b) { return lambda->GetComponent(a, 0) < lambda->GetComponent(b, 0); });
   }
-  std::vector<vtkIdType> chosen;
-  int seen[2] = { 0, 0 };
+  const auto kindOf = [&](vtkIdType ray)
+  {
+    const bool isLee = lee && lee->GetComponent(ray, 0) != 0.0;
+    const bool inserted = parent && parent->GetComponent(ray, 0) >= 0.0;
+    return static_cast<std::size_t>(isLee ? 2 : inserted ? 1 : 0);
+  };
+  std::array<int, 3> counts{};
   for (const vtkIdType ray : order)
   {
-    const int inserted = parent && parent->GetComponent(ray, 0) >= 0 ? 1 : 0;
-    if (seen[inserted]++ % stride == 0)
+    ++counts[kindOf(ray)];
+  }
+  const int leeStride = std::max(stride, counts[0] > 0 ? stride * counts[2] / counts[0] : 1);
+  const std::array<int, 3> strides{ stride, stride, leeStride };
+  std::array<int, 3> seen{};
+  std::vector<vtkIdType> chosen;
+  for (const vtkIdType ray : order)
+  {
+    const std::size_t kind = kindOf(ray);
+    if (seen[kind]++ % strides[kind] == 0)
     {
       chosen.push_back(ray);
     }

@@ -91,7 +91,7 @@ void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
   const TraceOptions& trace = rays.trace;
   tracer->SetSpacing(trace.spacing.value_or(0.0));
   tracer->SetMaxSpacing(trace.maxSpacing.value_or(0.0));
-  tracer->SetStepsPerWave(trace.stepsPerWave);
+  tracer->SetStepsPerWave(trace.stepsPerWave.value_or(0.0));
   tracer->SetStep(trace.step.value_or(0.0));
   tracer->SetScheme(trace.scheme == TraceScheme::Snell ? vtkSwellRayTracer::SNELL : vtkSwellRayTracer::ODE);
   tracer->SetTolerance(trace.tolerance);

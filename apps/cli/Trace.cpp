@@ -115,7 +115,8 @@ void sayDefaults(vtkPolyData* rays, const Request& request, const Console& conso
     value("LaunchSpacing"), origin(trace.spacing.has_value()), value("LaunchWidth"), value("MaxSpacing"),
     trace.maxSpacing ? "" : " (1.5 times that)"));
   console.say((trace.step ? fmt::format("fronts   every {:.4g} m", *trace.step)
-                          : fmt::format("fronts   {:.4g} a wavelength", trace.stepsPerWave)) +
+                          : fmt::format("fronts   {:.4g} a wavelength{}", value("StepsPerWave"),
+                              origin(trace.stepsPerWave.has_value()))) +
     fmt::format("; amplitude by {}; breaking: {}",
       request.rays.height.amplitude == AmplitudeRule::Tube ? "the tube equation" : "ray spacing",
       request.rays.height.breaking == BreakingRule::None ? "none"
