@@ -71,16 +71,16 @@ bool ChartItem::Paint(vtkContext2D* painter)
   // The colour scales share what is left, but a scale need not be taller than it is useful.
   const bool rayScale = this->Colors.kind == RayColors::Kind::Scale;
   const double room = top - bottom - 1.6 * u;
-  const double height = std::min(rayScale ? 0.5 * room : room, 18.0 * u);
+  const double height = std::min(rayScale ? 0.5 * (room - 1.2 * u) : room, 18.0 * u);
   const double spare = room - (rayScale ? 2.0 : 1.0) * height;
-  double y = top - (rayScale ? 0.33 : 0.5) * spare;
+  double y = top - (rayScale ? 0.25 : 0.5) * spare;
   if (rayScale)
   {
     const std::string unit = this->Colors.unit.empty() ? "" : " (" + this->Colors.unit + ")";
     this->paintColorScale(
       painter, y, height, this->Colors.name + unit, this->Colors.range, [](double t) { return rayMap().rgb(t); }, false,
       this->Colors.above, this->Colors.below);
-    y -= height + 0.33 * spare;
+    y -= height + 0.5 * spare;
   }
   this->paintColorScale(
     painter, y, height, "Water depth (m)", { 0.0, this->Bed.deepest }, [](double t) { return waterMap().rgb(t); }, true,
@@ -197,7 +197,7 @@ void ChartItem::paintMap(vtkContext2D* painter)
   for (std::size_t i = 0; i + 1 < this->Lines.breakers.size(); i += 2)
   {
     painter->DrawEllipse(
-      this->Lines.breakers[i], this->Lines.breakers[i + 1], static_cast<float>(0.14 * u), static_cast<float>(0.14 * u));
+      this->Lines.breakers[i], this->Lines.breakers[i + 1], static_cast<float>(0.12 * u), static_cast<float>(0.12 * u));
   }
   painter->GetDevice()->EnableClipping(false);
 
@@ -300,7 +300,7 @@ void ChartItem::paintHeading(vtkContext2D* painter)
     parts.push_back(fmt::format("{} rays", this->Content.rays->GetNumberOfCells()));
   }
   const Georeference georeference = georeferenceOf(this->Content.seafloor);
-  if (!georeference.crsName().empty())
+  if (!georeference.crsName().empty() && georeference.crsName() != "unknown")
   {
     parts.push_back(georeference.crsName());
   }

@@ -180,7 +180,7 @@ void addCrests(ChartLines& lines, const ChartContent& content, const ChartLayout
     const auto number = numbers ? static_cast<long long>(numbers->GetComponent(cell, 0)) : 0;
     if (number % lines.crestStride == 0)
     {
-      addPlainLine(lines, content.crests, cell, project, LineKind::Crest, CrestColor, 0.8);
+      addPlainLine(lines, content.crests, cell, project, LineKind::Crest, CrestColor, 0.7);
     }
   }
 }
@@ -226,17 +226,23 @@ std::vector<vtkIdType> raysToDraw(vtkPolyData* rays, int stride)
   }
   const int leeStride = std::max(stride, counts[0] > 0 ? stride * counts[2] / counts[0] : 1);
   const std::array<int, 3> strides{ stride, stride, leeStride };
+  // The launched ones last, on top of the others.
+  std::array<std::vector<vtkIdType>, 3> chosen;
   std::array<int, 3> seen{};
-  std::vector<vtkIdType> chosen;
   for (const vtkIdType ray : order)
   {
     const std::size_t kind = kindOf(ray);
     if (seen[kind]++ % strides[kind] == 0)
     {
-      chosen.push_back(ray);
+      chosen[2 - kind].push_back(ray);
     }
   }
-  return chosen;
+  std::vector<vtkIdType> all;
+  for (const std::vector<vtkIdType>& kind : chosen)
+  {
+    all.insert(all.end(), kind.begin(), kind.end());
+  }
+  return all;
 }
 
 class RayLinesMaker

@@ -173,6 +173,14 @@ vtkSwellSeafloorReader* Pipeline::readSeafloor()
     }
     throw;
   }
+  // info prints them itself, with the rest of the report.
+  if (this->Asked.command != Command::Info)
+  {
+    for (const std::string& note : this->Reader->GetReport()->notes)
+    {
+      this->Screen.say("note     " + note);
+    }
+  }
   return this->Reader;
 }
 
@@ -204,7 +212,11 @@ vtkPolyData* Pipeline::makeCrests(vtkPolyData* rays)
   else
   {
     this->Crests->SetInputConnection(this->Heights->GetOutputPort());
+    rays = this->computeHeights();
   }
+  // Rays that have drifted this far apart, in a shadow or where none is inserted, tell nothing of what is between.
+  constexpr double GapOverMaxSpacing = 2.0;
+  this->Crests->SetMaxGap(GapOverMaxSpacing * fieldNumber(rays, "MaxSpacing").value_or(0.0));
   runFilter(this->Crests, "crests", this->Screen);
   return this->Crests->GetOutput();
 }

@@ -39,7 +39,7 @@ public:
   /** Heights on the rays that were traced. @throws WorkError */
   vtkPolyData* computeHeights();
 
-  /** Crests of these rays, or of those traced. @throws WorkError */
+  /** Crests of these rays, or of those traced, broken where neighbours are far apart. @throws WorkError */
   vtkPolyData* makeCrests(vtkPolyData* rays = nullptr);
 
 private:
