@@ -116,7 +116,13 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
     {
       return;
     }
-    start = this->startBetween(a, b, direction / size);
+    direction /= size;
+    // What would run back against the incident wave is no diffraction into the lee.
+    if (job.kind == Insertion::Lee && glm::dot(direction, this->Wave.direction()) < 0.0)
+    {
+      return;
+    }
+    start = this->startBetween(a, b, direction);
     if (this->Medium.depth(start.position) < this->Medium.agroundDepth || this->Medium.seafloor->isHole(start.position))
     {
       return;
