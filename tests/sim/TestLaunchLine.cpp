@@ -311,6 +311,9 @@ TEST(LaunchLine, takesTheDirectionAsGivenWithoutARule)
       static_cast<double>(wavenumber(2.0L * reference::Pi / c.period, -beach->elevation(point.position)));
     EXPECT_LT(glm::length(point.wavenumber - k * t), Rounding * k);
     EXPECT_NEAR(crossLeft(t, point.dPosition), 1.0, Rounding);
+    const double slope = static_cast<double>(
+      wavenumberSlope(2.0L * reference::Pi / c.period, -beach->elevation(point.position)) * c.slope);
+    EXPECT_LT(glm::length(point.dWavenumber - slope * point.dPosition.x * t), Rounding * (k + std::abs(slope)));
   }
 }
 
