@@ -15,6 +15,10 @@ class vtkContext2D;
 namespace swellray::cli
 {
 
+/** Colour of lines and type, and of what stands back. */
+constexpr Rgb Ink{ 0.13, 0.15, 0.18 };
+constexpr Rgb SoftInk{ 0.36, 0.39, 0.43 };
+
 /** Paints a chart: map with frame, heading, and the column with arrows, colour scales, legend and scale bar. */
 class ChartItem : public vtkContextItem
 {

@@ -81,11 +81,15 @@ void sayHeights(vtkPolyData* rays, const Console& console)
 {
   vtkDataArray* heights = rays->GetPointData()->GetArray("WaveHeight");
   vtkDataArray* breaking = rays->GetPointData()->GetArray("Breaking");
+  if (!heights)
+  {
+    return;
+  }
   double low = std::numeric_limits<double>::infinity();
   double high = -low;
   vtkIdType broken = 0;
   vtkIdType infinite = 0;
-  for (vtkIdType i = 0; heights && i < heights->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
   {
     const double height = heights->GetComponent(i, 0);
     broken += breaking && breaking->GetComponent(i, 0) != 0.0 ? 1 : 0;
