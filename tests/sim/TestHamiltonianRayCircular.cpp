@@ -21,7 +21,7 @@ constexpr double Tolerance = 1e-12;
 // Asked for: 1e-6 m a km, 1e-6 in all else. A ray that passes a shoal's cusp magnifies its errors some tenfold.
 constexpr double PositionTolerance = 5e-9;
 constexpr double RelativeTolerance = 3e-10;
-// The tube is controlled to a tenth of the digits.
+// The tube is held to fewer digits than the ray.
 constexpr double WidthTolerance = 1e-9;
 // Steps of the reference a length over which the bed changes: with order 4 its own error is below 1e-10.
 constexpr double ReferenceSteps = 400.0;

@@ -18,7 +18,7 @@ constexpr double Tolerance = 1e-12;
 // Asked for: 1e-6 m a km, 1e-6 in all else. Some hundred steps, each right to 1e-12 wavelengths of 100 m.
 constexpr double PositionTolerance = 3e-9;
 constexpr double RelativeTolerance = 2e-10;
-// The tube is controlled to a tenth of the digits.
+// The tube is held to fewer digits than the ray.
 constexpr double WidthTolerance = 1e-9;
 
 using Wavenumber = std::function<Jet(const Jet& x, const Jet& y, unsigned region)>;

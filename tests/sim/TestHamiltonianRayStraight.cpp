@@ -21,7 +21,7 @@ constexpr double Tolerance = 1e-12;
 constexpr double PositionTolerance = 3e-9;
 // Asked for: 1e-6. The same steps, relative.
 constexpr double RelativeTolerance = 2e-10;
-// Asked for: 1e-6. The tube is controlled to a tenth of the digits.
+// Asked for: 1e-6. The tube is held to fewer digits than the ray.
 constexpr double WidthTolerance = 1e-9;
 
 struct BeachCase
