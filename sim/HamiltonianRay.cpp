@@ -68,6 +68,9 @@ constexpr double SmallestStep = 1e-9;
 
 constexpr int BisectionSteps = 60;
 
+// Newton's method has converged after a correction of this share of a step: the next one is its square.
+constexpr double LastCorrection = 1e-9;
+
 }
 
 HamiltonianRay::HamiltonianRay(const RayMedium& medium, const RayStart& start, double tolerance, std::size_t maxSteps)
@@ -466,8 +469,9 @@ double HamiltonianRay::locateTarget(FrontMeasure measure, double target) const
     const double slope =
       d0 + d1 * (1.0 - 2.0 * theta) + d2 * theta * (2.0 - 3.0 * theta) + d3 * 2.0 * theta * rest * (1.0 - 2.0 * theta);
     const double newton = theta - miss / slope;
-    const double next = newton > low && newton < high ? newton : 0.5 * (low + high);
-    if (std::abs(next - theta) < 1e-15)
+    const bool inside = newton >= low && newton <= high;
+    const double next = inside ? newton : 0.5 * (low + high);
+    if ((inside && std::abs(next - theta) < LastCorrection) || high - low < 1e-15)
     {
       return next;
     }

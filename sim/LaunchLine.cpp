@@ -116,9 +116,7 @@ LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const Incide
   {
     if (stretch.width > 0.0)
     {
-      const Side& side = this->Sides[stretch.side];
-      const double end = stretch.phase + this->integrate(side, stretch.from, stretch.to).y;
-      const double least = std::min(stretch.phase, end);
+      const double least = std::min(stretch.phase, stretch.phase + stretch.rise);
       earliest = any ? std::min(earliest, least) : least;
       any = true;
     }
@@ -214,13 +212,14 @@ void LaunchLine::append(int index, int segment, double from, double to)
   stretch.to = to;
   if (!this->Stretches.empty())
   {
-    const Stretch& last = this->Stretches.back();
-    stretch.phase = last.phase + this->integrate(this->Sides[last.side], last.from, last.to).y;
+    stretch.phase = this->Stretches.back().phase + this->Stretches.back().rise;
   }
+  const glm::dvec2 integral = this->integrate(this->Sides[index], from, to);
+  stretch.rise = integral.y;
   stretch.lambda = this->Length;
   if (segment >= 0)
   {
-    stretch.width = this->integrate(this->Sides[index], from, to).x;
+    stretch.width = integral.x;
     this->Length += stretch.width;
   }
   this->Stretches.push_back(stretch);

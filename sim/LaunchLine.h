@@ -84,6 +84,7 @@ private:
     double to = 0.0;
     double lambda = 0.0; ///< at from, m
     double phase = 0.0;  ///< at from, rad
+    double rise = 0.0;   ///< of the phase over the stretch, rad
     double width = 0.0;  ///< of lambda over the stretch, m
   };
 
