@@ -1,6 +1,7 @@
 #include "vtkSwellCrests.h"
 
 #include "AlgorithmExecution.h"
+#include "FieldData.h"
 #include "RayArrays.h"
 #include "sim/Crests.h"
 
@@ -119,6 +120,13 @@ void carryOver(vtkDataArray* from, vtkDataArray* to, const std::vector<RayPlace>
   }
 }
 
+int everyCrest(int every, vtkPolyData* rays)
+{
+  const double stepsPerWave = swellray::fieldValue(rays, "StepsPerWave").value_or(1.0);
+  const bool onFronts = every == 0 && stepsPerWave > 0.0 && stepsPerWave < 1.0;
+  return onFronts ? static_cast<int>(std::lround(1.0 / stepsPerWave)) : (every == 0 ? 1 : every);
+}
+
 }
 
 int vtkSwellCrests::RequestData(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -152,7 +160,7 @@ int vtkSwellCrests::RequestData(vtkInformation*, vtkInformationVector** inputVec
     lines.phase = phase->GetPointer(0);
     lines.launchParameter = parameter->GetPointer(0);
     lines.launchSegment = segment->GetPointer(0);
-    const swellray::CrestLines crests = swellray::extractCrests(lines, this->MaxGap);
+    const swellray::CrestLines crests = swellray::extractCrests(lines, this->MaxGap, everyCrest(this->Every, input));
     this->UpdateProgress(0.5);
 
     vtkNew<vtkPoints> crestPoints;
@@ -195,4 +203,5 @@ void vtkSwellCrests::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaxGap: " << this->MaxGap << "\n";
+  os << indent << "Every: " << this->Every << "\n";
 }

@@ -34,6 +34,15 @@ public:
   vtkGetMacro(MaxGap, double);
   ///@}
 
+  ///@{
+  /**
+   * Only crests whose number is a multiple of this; >= 0, default 0: every crest, or, where the rays were traced with
+   * fewer than one front a wavelength (field data StepsPerWave), the crests that lie on fronts.
+   */
+  vtkSetMacro(Every, int);
+  vtkGetMacro(Every, int);
+  ///@}
+
 protected:
   vtkSwellCrests() = default;
   ~vtkSwellCrests() override = default;
@@ -41,6 +50,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double MaxGap = 0.0;
+  int Every = 0;
 
 private:
   vtkSwellCrests(const vtkSwellCrests&) = delete;

@@ -10,6 +10,7 @@
 #include <numeric>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 
 namespace swellray
@@ -24,9 +25,9 @@ constexpr double PhaseTolerance = 1e-6;
 // Ten million waves, several times around the Earth: what is beyond is no phase. rad.
 constexpr double LargestPhase = 2e7 * Pi;
 
-constexpr double crestPhase(std::int64_t number)
+constexpr double crestPhase(std::int64_t index, std::int64_t every)
 {
-  return 2.0 * Pi * static_cast<double>(number);
+  return 2.0 * Pi * static_cast<double>(index * every);
 }
 
 struct Candidate
@@ -92,8 +93,8 @@ struct Range
   std::size_t size() const { return static_cast<std::size_t>(this->last - this->first + 1); }
 };
 
-// Crests that a ray crosses.
-Range crestsOf(const RayLines& lines, std::size_t ray)
+// Crests that a ray crosses, by their number over `every`.
+Range crestsOf(const RayLines& lines, std::size_t ray, std::int64_t every)
 {
   if (pointCount(lines, ray) < 2)
   {
@@ -111,8 +112,9 @@ Range crestsOf(const RayLines& lines, std::size_t ray)
       throw std::runtime_error(message.str());
     }
   }
-  const Range range{ static_cast<std::int64_t>(std::ceil((from - PhaseTolerance) / (2.0 * Pi))),
-    static_cast<std::int64_t>(std::floor((to + PhaseTolerance) / (2.0 * Pi))) };
+  const double step = crestPhase(1, every);
+  const Range range{ static_cast<std::int64_t>(std::ceil((from - PhaseTolerance) / step)),
+    static_cast<std::int64_t>(std::floor((to + PhaseTolerance) / step)) };
   return range.first <= range.last ? range : Range();
 }
 
@@ -124,14 +126,14 @@ struct Crossings
   std::vector<Candidate> candidates;
 };
 
-Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& sorted)
+Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& sorted, std::int64_t every)
 {
   Crossings crossings;
   std::vector<Range> ranges(sorted.size());
   Range& numbers = crossings.numbers;
   for (std::size_t order = 0; order < sorted.size(); ++order)
   {
-    const Range& range = ranges[order] = crestsOf(lines, sorted[order]);
+    const Range& range = ranges[order] = crestsOf(lines, sorted[order], every);
     if (range.size() > 0)
     {
       const bool none = numbers.size() == 0;
@@ -159,7 +161,7 @@ Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& s
     const std::int64_t last = lines.offsets[sorted[order] + 1] - 1;
     for (std::int64_t n = ranges[order].first; n <= ranges[order].last; ++n)
     {
-      const double phase = crestPhase(n);
+      const double phase = crestPhase(n, every);
       while (point + 1 < last && lines.phase[point + 1] < phase)
       {
         ++point;
@@ -174,8 +176,12 @@ Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& s
 
 }
 
-CrestLines extractCrests(const RayLines& lines, double maxGap)
+CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t every)
 {
+  if (every < 1)
+  {
+    throw std::invalid_argument("crests: every " + std::to_string(every) + "th cannot be drawn; it must be 1 or more");
+  }
   std::vector<std::size_t> sorted(lines.rays);
   std::iota(sorted.begin(), sorted.end(), std::size_t(0));
   std::sort(sorted.begin(), sorted.end(),
@@ -184,7 +190,7 @@ CrestLines extractCrests(const RayLines& lines, double maxGap)
       return std::make_tuple(lines.launchSegment[a], lines.launchParameter[a], a) <
         std::make_tuple(lines.launchSegment[b], lines.launchParameter[b], b);
     });
-  const Crossings crossings = findCrossings(lines, sorted);
+  const Crossings crossings = findCrossings(lines, sorted, every);
 
   // Rays in the order in which they end, to know at each crest which have ended before it.
   std::vector<std::size_t> ending;
@@ -209,8 +215,8 @@ CrestLines extractCrests(const RayLines& lines, double maxGap)
   CrestLines crests;
   for (std::size_t i = 0; i < crossings.numbers.size(); ++i)
   {
-    const std::int64_t number = crossings.numbers.first + static_cast<std::int64_t>(i);
-    while (endedCount < ending.size() && end(ending[endedCount]) < crestPhase(number) - PhaseTolerance)
+    const std::int64_t index = crossings.numbers.first + static_cast<std::int64_t>(i);
+    while (endedCount < ending.size() && end(ending[endedCount]) < crestPhase(index, every) - PhaseTolerance)
     {
       ended.mark(ending[endedCount++]);
     }
@@ -227,7 +233,7 @@ CrestLines extractCrests(const RayLines& lines, double maxGap)
       {
         std::transform(first, last + 1, std::back_inserter(crests.places),
           [](const Candidate& candidate) { return candidate.place; });
-        crests.number.push_back(number);
+        crests.number.push_back(index * every);
         crests.offsets.push_back(crests.places.size());
       }
       first = last + 1;

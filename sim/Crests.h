@@ -40,8 +40,9 @@ struct CrestLines
  * ended, between launch segments, and where two neighbours are further apart than maxGap (m; 0: no limit).
  * Places lie on the straight line between two points of a ray; a ray alone makes no line.
  * @param lines rays whose phase increases along them
- * @throws std::runtime_error where a ray begins or ends with a phase that is not finite or beyond 1e7 waves
+ * @param every only crests whose number is a multiple of this, >= 1
+ * @throws std::invalid_argument every < 1; std::runtime_error where a ray begins or ends with a phase that is not finite or beyond 1e7 waves
  */
-CrestLines extractCrests(const RayLines& lines, double maxGap);
+CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t every = 1);
 
 }

@@ -90,7 +90,7 @@ RayField FrontMarch::run()
     1.0, 1.5 * diagonal / this->FrontStep * (this->Measure == FrontMeasure::Phase ? this->Wave.wavenumber() : 1.0));
   for (this->Front = 0; this->anyOnWater(); ++this->Front)
   {
-    if (this->Front >= this->Options.maxFronts)
+    if (this->Front >= this->Options.maxFronts || this->Points >= this->Options.maxPoints)
     {
       this->StepCapReached = true;
       this->finishRemaining(EndReason::StepCap);
@@ -269,6 +269,7 @@ void FrontMarch::record(std::uint32_t index, bool withPlace)
   {
     ray.place.state = ray.state;
     records.push_back({ index, ray.place });
+    ++this->Points;
   }
 }
 

@@ -112,6 +112,7 @@ private:
   std::vector<Ray> Rays;
   std::vector<Standing> Order;
   std::vector<std::vector<Record>> Records; // a front each
+  std::size_t Points = 0;
   std::size_t Evaluations = 0;
   bool RayCapReached = false;
   bool StepCapReached = false;

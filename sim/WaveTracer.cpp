@@ -1,8 +1,13 @@
 #include "sim/WaveTracer.h"
 
+#include "sim/Dispersion.h"
 #include "sim/FrontMarch.h"
 
+#include <glm/geometric.hpp>
+
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +16,9 @@ namespace swellray
 
 namespace
 {
+
+// Waves across a scene beyond which phases lose their digits.
+constexpr double MostWaves = 1e6;
 
 // Share of the incident height at which a ray is aground.
 constexpr double AgroundShare = 0.05;
@@ -21,6 +29,13 @@ std::string number(double value)
   const std::size_t last = text.find_last_not_of('0');
   text.erase(text[last] == '.' ? last : last + 1);
   return text;
+}
+
+std::string shortNumber(double value)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
 }
 
 void requirePositive(const char* name, double value, const char* unit)
@@ -72,9 +87,9 @@ void TraceOptions::validate() const
   {
     throw std::invalid_argument("shore normal must be a finite number of degrees");
   }
-  if (this->maxRays == 0 || this->maxFronts == 0)
+  if (this->maxRays == 0 || this->maxFronts == 0 || this->maxPoints == 0)
   {
-    throw std::invalid_argument("the caps on rays and on fronts must be above 0");
+    throw std::invalid_argument("the caps on rays, fronts and points must be above 0");
   }
 }
 
@@ -83,6 +98,13 @@ RayField traceWaves(
 {
   wave.validate();
   options.validate();
+  const double wavelength = wavelengthOf(wave.wavenumber());
+  const double diagonal = glm::length(seafloor.bounds().size());
+  if (diagonal > MostWaves * wavelength)
+  {
+    throw std::invalid_argument("a wave of " + shortNumber(wavelength) + " m is too short for a scene of " +
+      shortNumber(diagonal) + " m: the period must be longer, or the scene smaller");
+  }
   RayMedium medium;
   medium.seafloor = &seafloor;
   medium.waterLevel = options.waterLevel;

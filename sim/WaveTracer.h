@@ -41,6 +41,7 @@ struct TraceOptions
   std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours
   std::size_t maxRays = 200000;
   std::size_t maxFronts = 100000;
+  std::size_t maxPoints = 40000000; ///< in all rays together: some gigabytes
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;

@@ -47,7 +47,7 @@ struct Rays
     this->segment.push_back(piece);
   }
 
-  CrestLines crests(double maxGap = 0.0) const
+  CrestLines crests(double maxGap = 0.0, std::int64_t every = 1) const
   {
     RayLines lines;
     lines.rays = this->lambda.size();
@@ -56,7 +56,7 @@ struct Rays
     lines.phase = this->phase.data();
     lines.launchParameter = this->lambda.data();
     lines.launchSegment = this->segment.data();
-    return extractCrests(lines, maxGap);
+    return extractCrests(lines, maxGap, every);
   }
 
   glm::dvec2 at(const RayPlace& place) const
@@ -94,6 +94,16 @@ struct Rays
 };
 
 using Lines = std::vector<std::vector<double>>;
+
+TEST(Crests, EverySoMany)
+{
+  Rays rays;
+  rays.add(0.0, 0.0, 10.0);
+  rays.add(1.0, 2.5, 10.0);
+  EXPECT_EQ(rays.crests(0.0, 4).number, (std::vector<std::int64_t>{ 4, 8 }));
+  EXPECT_EQ(rays.linesOf(rays.crests(0.0, 4), 8), (std::vector<std::vector<double>>{ { 0.0, 1.0 } }));
+  EXPECT_THROW(rays.crests(0.0, 0), std::invalid_argument);
+}
 
 TEST(Crests, StandWhereThePhaseIsAMultipleOfTwoPi)
 {

@@ -377,6 +377,13 @@ TEST(WaveTracer, CapsEndAnySceneAndSaySo)
   EXPECT_TRUE(rays.rayCapReached);
   EXPECT_EQ(rays.rays.size(), 110u);
 
+  options = paperOptions();
+  options.maxPoints = 5000;
+  const RayField points = traceWaves(*seafloor, smallWave(90.0), options);
+  EXPECT_TRUE(points.stepCapReached);
+  EXPECT_LT(points.points.size(), 5500u);
+
+  options = paperOptions();
   options.maxRays = 10;
   EXPECT_EQ(traceWaves(*seafloor, smallWave(90.0), options).rays.size(), 10u);
 }
@@ -586,6 +593,9 @@ TEST(WaveTracer, WrongCalls)
   refused([](TraceOptions& o) { o.maxRays = 0; });
   IncidentWave bad = wave;
   bad.period = 0.0;
+  EXPECT_THROW(traceWaves(*seafloor, bad, {}), std::invalid_argument);
+  // A wave with a million crests across the bay has no phase any more.
+  bad.period = 1e-4;
   EXPECT_THROW(traceWaves(*seafloor, bad, {}), std::invalid_argument);
   // From the land side nothing comes in.
   EXPECT_THROW(traceWaves(*seafloor, smallWave(270.0), {}), std::runtime_error);
