@@ -31,6 +31,9 @@ constexpr double CrestGap = 0.9;
 // A picture shows at least about this many of the launched rays.
 constexpr int LeastRays = 80;
 
+// Contour lines shorter than these many type sizes are specks: noise where the bed is flat.
+constexpr double LeastContour = 1.0;
+
 // Points nearer than this (pixels) to the one before are not drawn.
 constexpr double PointGap = 0.7;
 
@@ -99,6 +102,16 @@ bool isFar(const PixelLine& line, const std::array<double, 2>& at)
   return n < 2 || std::hypot(at[0] - line.points[n - 2], at[1] - line.points[n - 1]) >= PointGap;
 }
 
+double lengthOf(const PixelLine& line)
+{
+  double length = 0.0;
+  for (std::size_t i = 2; i + 1 < line.points.size(); i += 2)
+  {
+    length += std::hypot(line.points[i] - line.points[i - 2], line.points[i + 1] - line.points[i - 1]);
+  }
+  return length;
+}
+
 void keep(ChartLines& lines, PixelLine& line)
 {
   if (line.points.size() >= 4)
@@ -110,7 +123,7 @@ void keep(ChartLines& lines, PixelLine& line)
 }
 
 void addPlainLine(ChartLines& lines, vtkPolyData* data, vtkIdType cell, const Projection& project, LineKind kind,
-  const Rgb& color, double opacity)
+  const Rgb& color, double opacity, double leastLength = 0.0)
 {
   vtkIdType count = 0;
   const vtkIdType* ids = nullptr;
@@ -125,10 +138,13 @@ void addPlainLine(ChartLines& lines, vtkPolyData* data, vtkIdType cell, const Pr
       append(line, at, color, opacity);
     }
   }
-  keep(lines, line);
+  if (lengthOf(line) >= leastLength)
+  {
+    keep(lines, line);
+  }
 }
 
-void addContours(ChartLines& lines, const ChartContent& content, const Projection& project)
+void addContours(ChartLines& lines, const ChartContent& content, const ChartLayout& layout, const Projection& project)
 {
   vtkDataArray* depths = content.contours->GetCellData()->GetArray("Depth");
   std::set<double> levels;
@@ -144,7 +160,8 @@ void addContours(ChartLines& lines, const ChartContent& content, const Projectio
     {
       levels.insert(depth);
     }
-    addPlainLine(lines, content.contours, cell, project, LineKind::Contour, ContourColor, 0.55);
+    addPlainLine(
+      lines, content.contours, cell, project, LineKind::Contour, ContourColor, 0.55, LeastContour * layout.unit);
   }
   const std::vector<double> sorted(levels.begin(), levels.end());
   if (sorted.size() >= 3)
@@ -166,13 +183,20 @@ void addCrests(ChartLines& lines, const ChartContent& content, const ChartLayout
   {
     double range[2];
     numbers->GetRange(range, 0);
+    // The file may hold every crest, or every so many.
+    long long held = 0;
+    for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
+    {
+      held = std::gcd(held, static_cast<long long>(numbers->GetComponent(i, 0)));
+    }
+    const int base = static_cast<int>(std::max(1LL, held));
     const double across = std::hypot(layout.map.width, layout.map.height);
     const double gap = across / std::max(1.0, range[1] - range[0]);
     const double wanted = CrestGap * layout.unit / gap;
-    lines.crestStride = 1;
+    lines.crestStride = base;
     for (const int stride : { 2, 5, 10, 20, 50, 100, 200, 500, 1000 })
     {
-      lines.crestStride = lines.crestStride < wanted ? stride : lines.crestStride;
+      lines.crestStride = lines.crestStride < wanted ? stride * base : lines.crestStride;
     }
   }
   for (vtkIdType cell = 0; cell < content.crests->GetNumberOfCells(); ++cell)
@@ -419,7 +443,7 @@ ChartLines makeChartLines(const ChartContent& content, const ChartLayout& layout
   const Projection project(content, layout);
   if (content.contours)
   {
-    addContours(lines, content, project);
+    addContours(lines, content, layout, project);
   }
   if (content.crests)
   {
