@@ -20,6 +20,7 @@ namespace swellray::cli
 namespace
 {
 
+constexpr int Attempts = 3;
 constexpr int StartTimeout = 20'000; // ms; a loaded machine takes seconds
 
 [[noreturn]] void failWithoutDisplay()
@@ -72,23 +73,27 @@ std::string readDisplayNumber(int pipe)
   return {};
 }
 
+void stopServer(pid_t server)
+{
+  if (server > 0)
+  {
+    kill(server, SIGTERM);
+    waitpid(server, nullptr, 0);
+  }
 }
 
-VirtualDisplay::VirtualDisplay()
+// Start a server; 0 where it does not come up, otherwise its process with DISPLAY set.
+pid_t startServer()
 {
-  if (displayAnswers())
-  {
-    return;
-  }
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0)
   {
-    failWithoutDisplay();
+    return 0;
   }
   const std::string descriptor = std::to_string(ends[1]);
   const pid_t parent = getpid();
-  this->Server = fork();
-  if (this->Server == 0)
+  const pid_t server = fork();
+  if (server == 0)
   {
     // The server must not outlive the program, however that ends.
     prctl(PR_SET_PDEATHSIG, SIGTERM);
@@ -106,26 +111,53 @@ VirtualDisplay::VirtualDisplay()
     _exit(127);
   }
   close(ends[1]);
-  const std::string number = this->Server > 0 ? readDisplayNumber(ends[0]) : std::string();
+  const std::string number = server > 0 ? readDisplayNumber(ends[0]) : std::string();
   close(ends[0]);
-  if (number.empty())
+  if (!number.empty())
   {
-    if (this->Server > 0)
-    {
-      kill(this->Server, SIGTERM);
-      waitpid(this->Server, nullptr, 0);
-    }
-    failWithoutDisplay();
+    setenv("DISPLAY", (":" + number).c_str(), 1);
+    return server;
   }
-  setenv("DISPLAY", (":" + number).c_str(), 1);
+  stopServer(server);
+  return 0;
+}
+
+}
+
+VirtualDisplay::VirtualDisplay()
+{
+  if (displayAnswers())
+  {
+    return;
+  }
+  // Servers that start or stop at the same moment may take each other's socket away: ask again, then try another.
+  for (int attempt = 0; attempt < Attempts; ++attempt)
+  {
+    this->Server = startServer();
+    if (this->Server == 0)
+    {
+      break;
+    }
+    if (displayAnswers())
+    {
+      return;
+    }
+    this->stop();
+  }
+  failWithoutDisplay();
 }
 
 VirtualDisplay::~VirtualDisplay()
 {
+  this->stop();
+}
+
+void VirtualDisplay::stop()
+{
   if (this->Server > 0)
   {
-    kill(this->Server, SIGTERM);
-    waitpid(this->Server, nullptr, 0);
+    stopServer(this->Server);
+    this->Server = 0;
     unsetenv("DISPLAY");
   }
 }

@@ -16,6 +16,8 @@ public:
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
 private:
+  void stop();
+
   int Server = 0; // process id; 0: none was started
 };
 
