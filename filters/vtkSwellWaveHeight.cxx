@@ -59,6 +59,7 @@ int vtkSwellWaveHeight::RequestData(
     const auto depth = swellray::requireDoubles(in, "Depth", points);
     const auto wavenumber = swellray::requireDoubles(in, "Wavenumber", points);
     const auto groupSpeed = swellray::requireDoubles(in, "GroupSpeed", points);
+    const auto shoaling = swellray::requireDoubles(in, "ShoalingCoefficient", points);
     const auto krSpacing = swellray::requireDoubles(in, "KrSpacing", points);
     const auto krTube = swellray::requireDoubles(in, "KrTube", points);
     const auto state = swellray::requireBytes(in, "RayState", points);
@@ -66,6 +67,7 @@ int vtkSwellWaveHeight::RequestData(
     all.depth = depth->GetPointer(0);
     all.wavenumber = wavenumber->GetPointer(0);
     all.groupSpeed = groupSpeed->GetPointer(0);
+    all.shoaling = shoaling->GetPointer(0);
     all.krSpacing = krSpacing->GetPointer(0);
     all.krTube = krTube->GetPointer(0);
     all.state = state->GetPointer(0);
@@ -94,6 +96,7 @@ int vtkSwellWaveHeight::RequestData(
             profile.depth += at;
             profile.wavenumber += at;
             profile.groupSpeed += at;
+            profile.shoaling += at;
             profile.krSpacing += at;
             profile.krTube += at;
             profile.state += at;

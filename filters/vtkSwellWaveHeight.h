@@ -11,7 +11,7 @@
  * Wraps swellray::computeHeights (equations there): H = H0 Ks Kr with breaking.
  *
  * Input 0: vtkPolyData, rays of vtkSwellRayTracer (also read back from a file), with the point arrays
- * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), KrSpacing, KrTube, RayState,
+ * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), ShoalingCoefficient, KrSpacing, KrTube, RayState,
  * and the field data Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
  * OffshoreDepth (m) and Gravity (m/s2): the wave is the one that was traced, it cannot be set here.
  *

@@ -1,7 +1,6 @@
 #include "sim/WaveHeight.h"
 
 #include "sim/Angles.h"
-#include "sim/Dispersion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,7 +37,6 @@ void computeHeights(
   wave.validate();
   options.validate();
   result.refraction.resize(profile.count);
-  result.shoaling.resize(profile.count);
   result.height.resize(profile.count);
   result.energyFlux.resize(profile.count);
   result.orbitalVelocity.resize(profile.count);
@@ -47,7 +45,6 @@ void computeHeights(
   const bool spacing = options.amplitude == AmplitudeRule::Spacing;
   const double* const first = spacing ? profile.krSpacing : profile.krTube;
   const double* const second = spacing ? profile.krTube : profile.krSpacing;
-  const double groupSpeedOffshore = wave.groupSpeed();
   const double fluxFactor = SeaWaterDensity * wave.gravity / 8.0;
 
   double refraction = std::min(1.0, options.maxRefraction); // in use until one is known
@@ -59,8 +56,7 @@ void computeHeights(
     {
       refraction = std::min(known, options.maxRefraction);
     }
-    const double shoaling = shoalingCoefficient(groupSpeedOffshore, profile.groupSpeed[i]);
-    double height = remaining * wave.height * shoaling * refraction;
+    double height = remaining * wave.height * profile.shoaling[i] * refraction;
 
     // The shore's own points lie in water too shallow for any wave theory but this limit.
     const bool aground = profile.state[i] == static_cast<std::uint8_t>(RayState::Aground);
@@ -72,7 +68,6 @@ void computeHeights(
       height = highest;
     }
     result.refraction[i] = refraction;
-    result.shoaling[i] = shoaling;
     result.height[i] = height;
     result.energyFlux[i] = fluxFactor * height * height * profile.groupSpeed[i];
     result.orbitalVelocity[i] = Pi * height / (wave.period * std::sinh(profile.wavenumber[i] * profile.depth[i]));

@@ -36,7 +36,6 @@ struct HeightOptions
 struct RayHeights
 {
   std::vector<double> refraction;      ///< Kr in use, -
-  std::vector<double> shoaling;        ///< Ks, -
   std::vector<double> height;          ///< H, m
   std::vector<double> energyFlux;      ///< rho g H^2 Cg / 8, W/m
   std::vector<double> orbitalVelocity; ///< pi H/(T sinh kh), amplitude near the bed, m/s
@@ -52,7 +51,8 @@ struct RayProfile
   std::size_t count = 0;
   const double* depth = nullptr;       ///< m
   const double* wavenumber = nullptr;  ///< rad/m
-  const double* groupSpeed = nullptr;  ///< m/s
+  const double* groupSpeed = nullptr;  ///< relative to the water, m/s
+  const double* shoaling = nullptr;    ///< Ks, -
   const double* krSpacing = nullptr;   ///< -, NaN or infinite allowed
   const double* krTube = nullptr;      ///< -
   const std::uint8_t* state = nullptr; ///< RayState
@@ -60,7 +60,7 @@ struct RayProfile
 
 /**
  * H = H0 Ks Kr with breaking, point by point along a ray.
- * Ks = sqrt(Cg0/Cg), Cg0 in the offshore depth of the wave. Where the rule's coefficient is not known (NaN)
+ * Ks is taken as the tracer found it. Where the rule's coefficient is not known (NaN)
  * the other one is taken; an aground ray has the height its depth allows.
  * @param result resized to profile.count
  */

@@ -83,6 +83,7 @@ TEST(WaveHeight, isThatOfTheCoreAlongEachRay)
     profile.depth = valuesOf(data, "Depth") + first;
     profile.wavenumber = valuesOf(data, "Wavenumber") + first;
     profile.groupSpeed = valuesOf(data, "GroupSpeed") + first;
+    profile.shoaling = valuesOf(data, "ShoalingCoefficient") + first;
     profile.krSpacing = valuesOf(data, "KrSpacing") + first;
     profile.krTube = valuesOf(data, "KrTube") + first;
     profile.state = bytesOf(data, "RayState") + first;
