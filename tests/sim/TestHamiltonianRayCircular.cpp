@@ -1,4 +1,5 @@
 // Rays over circular shoals and islands: Bouguer's law for the ray, Munk and Arthur's equation for its tube.
+#include "CircularForms.h"
 #include "RayComparison.h"
 
 #include "sim/BuiltinSeafloor.h"
@@ -29,89 +30,30 @@ constexpr double ReferenceSteps = 400.0;
 struct CircularCase
 {
   const char* name;
-  const char* spec;
-  std::function<Real(Real)> depth;                                // h(r)
-  std::function<Jet(const Jet& square, unsigned region)> formula; // of r^2
-  double rim;                                                     // 0 without one
-  double feature;                                                 // m
+  CircularForm form;
   double period;
   double x0;
   std::vector<double> b;
 };
 
-CircularCase gauss(const char* name, const char* spec, double h0, double a, double sigma, double period, double x0,
-  std::vector<double> b)
-{
-  return { name, spec, [=](Real r) { return h0 - a * std::exp(-r * r / (2.0L * sigma * sigma)); },
-    [=](const Jet& w, unsigned) { return Jet(h0) - a * exp(-w / (2.0 * sigma * sigma)); }, 0.0, sigma, period, x0,
-    std::move(b) };
-}
-
-CircularCase poly3(
-  const char* name, const char* spec, double h0, double a, double R, double period, double x0, std::vector<double> b)
-{
-  return { name, spec,
-    [=](Real r)
-    {
-      const Real u = 1.0L - r * r / (static_cast<Real>(R) * R);
-      return r < R ? h0 - a * u * u * u : static_cast<Real>(h0);
-    },
-    [=](const Jet& w, unsigned region)
-    {
-      const Jet u = Jet(1.0) - w / (R * R);
-      return region ? Jet(h0) : Jet(h0) - a * u * u * u;
-    },
-    R, 0.4 * R, period, x0, std::move(b) };
-}
-
-CircularCase cone(
-  const char* name, const char* spec, double s, double rs, double rt, double period, double x0, std::vector<double> b)
-{
-  return { name, spec, [=](Real r) { return s * (std::min<Real>(r, rt) - rs); },
-    [=](const Jet& w, unsigned region) { return region ? Jet(s * (rt - rs)) : s * (sqrt(w) - Jet(rs)); }, rt, 0.5 * rs,
-    period, x0, std::move(b) };
-}
-
-CircularCase paraboloid(
-  const char* name, const char* spec, double h0, double R, double period, double x0, std::vector<double> b)
-{
-  return { name, spec,
-    [=](Real r)
-    {
-      const Real share = std::min<Real>(r, R) / R;
-      return h0 * share * share;
-    },
-    [=](const Jet& w, unsigned region) { return region ? Jet(h0) : h0 / (R * R) * w; }, R, 0.1 * R, period, x0,
-    std::move(b) };
-}
-
-#define WIDE ",x0=-9000,x1=9000,y0=-9000,y1=9000"
+constexpr const char* Scene = ",x0=-9000,x1=9000,y0=-9000,y1=9000";
 
 // The first of each is that of the tables, others are chosen freely.
 const CircularCase Cases[] = {
-  gauss("GaussA", "shoal:kind=gauss,h0=20,a=14,sg=300" WIDE, 20.0, 14.0, 300.0, 10.0, -1800.0,
-    { -180.0, 30.0, 150.0, 300.0, 600.0 }),
-  gauss("GaussTall", "shoal:kind=gauss,h0=12,a=10,sg=150" WIDE, 12.0, 10.0, 150.0, 7.0, -1000.0,
-    { -250.0, -40.0, 10.0, 90.0, 170.0 }),
-  gauss("GaussBroad", "shoal:kind=gauss,h0=60,a=50,sg=1000" WIDE, 60.0, 50.0, 1000.0, 14.0, -6000.0,
-    { -1500.0, -600.0, 200.0, 2500.0 }),
-  poly3("PolyA", "shoal:kind=poly3,h0=15,a=10.5,R=250" WIDE, 15.0, 10.5, 250.0, 8.0, -300.0,
-    { -200.0, 12.5, 100.0, 240.0 }),
-  poly3("PolyWide", "shoal:kind=poly3,h0=25,a=19,R=900" WIDE, 25.0, 19.0, 900.0, 12.0, -1500.0,
-    { -700.0, -350.0, 60.0, 500.0 }),
-  cone("ConeA", "island:kind=conical,s=0.05,rs=200,rt=1000" WIDE, 0.05, 200.0, 1000.0, 12.0, -1500.0,
-    { 20.0, 400.0, 800.0, 970.0 }),
-  cone("ConeSteep", "island:kind=conical,s=0.12,rs=60,rt=260" WIDE, 0.12, 60.0, 260.0, 8.0, -500.0,
-    { -240.0, -150.0, 40.0, 255.0 }),
-  paraboloid(
-    "BowlA", "island:kind=parabolic,h0=30,R=1200" WIDE, 30.0, 1200.0, 14.0, -1800.0, { 24.0, 400.0, 900.0, 1150.0 }),
-  paraboloid(
-    "BowlSmall", "island:kind=parabolic,h0=12,R=400" WIDE, 12.0, 400.0, 9.0, -700.0, { -390.0, -200.0, 120.0, 330.0 }),
+  { "GaussA", gaussianShoal(20.0, 14.0, 300.0), 10.0, -1800.0, { -180.0, 30.0, 150.0, 300.0, 600.0 } },
+  { "GaussTall", gaussianShoal(12.0, 10.0, 150.0), 7.0, -1000.0, { -250.0, -40.0, 10.0, 90.0, 170.0 } },
+  { "GaussBroad", gaussianShoal(60.0, 50.0, 1000.0), 14.0, -6000.0, { -1500.0, -600.0, 200.0, 2500.0 } },
+  { "PolyA", polynomialShoal(15.0, 10.5, 250.0), 8.0, -300.0, { -200.0, 12.5, 100.0, 240.0 } },
+  { "PolyWide", polynomialShoal(25.0, 19.0, 900.0), 12.0, -1500.0, { -700.0, -350.0, 60.0, 500.0 } },
+  { "ConeA", conicalIsland(0.05, 200.0, 1000.0), 12.0, -1500.0, { 20.0, 400.0, 800.0, 970.0 } },
+  { "ConeSteep", conicalIsland(0.12, 60.0, 260.0), 8.0, -500.0, { -240.0, -150.0, 40.0, 255.0 } },
+  { "BowlA", parabolicIsland(30.0, 1200.0), 14.0, -1800.0, { 24.0, 400.0, 900.0, 1150.0 } },
+  { "BowlSmall", parabolicIsland(12.0, 400.0), 9.0, -700.0, { -390.0, -200.0, 120.0, 330.0 } },
 };
 
 void PrintTo(const CircularCase& c, std::ostream* out)
 {
-  *out << c.spec << " T=" << c.period;
+  *out << c.form.spec << " T=" << c.period;
 }
 
 // Ends before the shore, where all rays of a paraboloid would wind up around the centre.
@@ -126,16 +68,16 @@ class CircularContours : public testing::TestWithParam<CircularCase>
 TEST_P(CircularContours, followBouguer)
 {
   const CircularCase& c = GetParam();
-  const auto seafloor = makeBuiltinSeafloor(c.spec);
+  const auto seafloor = makeBuiltinSeafloor(c.form.spec + Scene);
   const RayMedium medium = mediumOf(*seafloor, c.period, AgroundDepth);
   for (const double b : c.b)
   {
-    const CircularRay exact(c.depth, medium.angularFrequency, c.x0, b, c.rim);
+    const CircularRay exact(c.form.depth, medium.angularFrequency, c.x0, b, c.form.rim);
     const double far = std::hypot(c.x0, b);
     double near = std::max(exact.nearest(), 1.0);
     // A ray that reaches the shore is followed to a little before.
-    const bool ashore = c.depth(near) < 1.1 * AgroundDepth;
-    while (c.depth(near) < 1.1 * AgroundDepth)
+    const bool ashore = c.form.depth(near) < 1.1 * AgroundDepth;
+    while (c.form.depth(near) < 1.1 * AgroundDepth)
     {
       near += 1e-3 * far;
     }
@@ -172,14 +114,9 @@ TEST_P(CircularContours, followBouguer)
 TEST_P(CircularContours, widenAsMunkAndArthurSay)
 {
   const CircularCase& c = GetParam();
-  const auto seafloor = makeBuiltinSeafloor(c.spec);
+  const auto seafloor = makeBuiltinSeafloor(c.form.spec + Scene);
   const RayMedium medium = mediumOf(*seafloor, c.period, AgroundDepth);
-  Formula formula;
-  formula.depth = [&c](const Jet& x, const Jet& y, unsigned region) { return c.formula(x * x + y * y, region); };
-  if (c.rim > 0.0)
-  {
-    formula.kinks.push_back([rim = c.rim](const Jet& x, const Jet& y) { return x * x + y * y - Jet(rim * rim); });
-  }
+  const Formula formula = c.form.formula();
   int caustics = 0;
   for (const double b : c.b)
   {
@@ -199,7 +136,7 @@ TEST_P(CircularContours, widenAsMunkAndArthurSay)
     start.x = c.x0;
     start.y = b;
     const std::vector<Place> places =
-      traceMunkArthur(formula, medium.angularFrequency, start, lengths, c.feature / ReferenceSteps);
+      traceMunkArthur(formula, medium.angularFrequency, start, lengths, c.form.feature / ReferenceSteps);
     RayErrors errors;
     for (const Place& place : places)
     {
@@ -212,7 +149,7 @@ TEST_P(CircularContours, widenAsMunkAndArthurSay)
     caustics += point.caustics;
   }
   // Shoals focus, islands spread.
-  EXPECT_EQ(caustics > 0, std::string(c.spec).rfind("shoal", 0) == 0);
+  EXPECT_EQ(caustics > 0, c.form.spec.rfind("shoal", 0) == 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(HamiltonianRay, CircularContours, testing::ValuesIn(Cases),

@@ -1,5 +1,6 @@
 // Rays over elliptic shoals on a slope, with kinks at their rims, at the toe of the slope and at its end, against Munk
 // and Arthur's equation.
+#include "EllipticShoal.h"
 #include "RayComparison.h"
 
 #include "sim/BuiltinSeafloor.h"
@@ -26,63 +27,18 @@ constexpr double WidthTolerance = 2e-8;
 struct EllipticCase
 {
   const char* spec;
-  double h0;
-  double slope;
-  double toe;
-  double minDepth;
-  double rotation; // degrees
-  double height;
-  double sunk;
-  double a;
-  double b;
+  EllipticShoal shoal;
   double period;
   double x0;
   double end; // x of the last place
 };
 
 const EllipticCase Cases[] = {
-  { "berkhoff", 0.45, 0.02, 5.82, 0.07, 20.0, 0.5, 0.3, 3.75, 5.0, 1.0, -10.0, 11.0 },
-  { "berkhoff:rotation=-10,toe=7,slope=0.025,h0=0.5,min-depth=0.1,x0=-12,x1=12", 0.5, 0.025, 7.0, 0.1, -10.0, 0.5, 0.3,
-    3.75, 5.0, 1.3, -11.5, 11.0 },
-  { "vincent-briggs", 0.4572, 0.0, 0.0, 0.0, 0.0, 0.762, 0.4572, 3.81, 4.95, 1.3, -6.0, 15.0 },
+  { "berkhoff", { 0.45, 0.02, 5.82, 0.07, 20.0, 0.5, 0.3, 3.75, 5.0 }, 1.0, -10.0, 11.0 },
+  { "berkhoff:rotation=-10,toe=7,slope=0.025,h0=0.5,min-depth=0.1,x0=-12,x1=12",
+    { 0.5, 0.025, 7.0, 0.1, -10.0, 0.5, 0.3, 3.75, 5.0 }, 1.3, -11.5, 11.0 },
+  { "vincent-briggs", { 0.4572, 0.0, 0.0, 0.0, 0.0, 0.762, 0.4572, 3.81, 4.95 }, 1.3, -6.0, 15.0 },
 };
-
-Formula formulaOf(const EllipticCase& c)
-{
-  const double cosine = std::cos(radians(c.rotation));
-  const double sine = std::sin(radians(c.rotation));
-  const auto u = [=](const Jet& x, const Jet& y) { return cosine * x - sine * y; };
-  const auto root = [=](const Jet& x, const Jet& y)
-  {
-    const Jet along = u(x, y);
-    const Jet across = sine * x + cosine * y;
-    return Jet(1.0) - along * along / (c.a * c.a) - across * across / (c.b * c.b);
-  };
-  Formula formula;
-  // On the shoal, on the slope, on the shallow floor.
-  formula.depth = [=](const Jet& x, const Jet& y, unsigned region)
-  {
-    Jet h(c.h0);
-    if (region & 4u)
-    {
-      h = Jet(c.minDepth);
-    }
-    else if (region & 2u)
-    {
-      h = Jet(c.h0) - c.slope * (u(x, y) + Jet(c.toe));
-    }
-    return region & 1u ? h - c.height * sqrt(root(x, y)) + Jet(c.sunk) : h;
-  };
-  const double edge = c.sunk / c.height;
-  formula.kinks.push_back([=](const Jet& x, const Jet& y) { return root(x, y) - Jet(edge * edge); });
-  if (c.slope > 0.0)
-  {
-    formula.kinks.push_back([=](const Jet& x, const Jet& y) { return u(x, y) + Jet(c.toe); });
-    formula.kinks.push_back(
-      [=](const Jet& x, const Jet& y) { return u(x, y) - Jet((c.h0 - c.minDepth) / c.slope - c.toe); });
-  }
-  return formula;
-}
 
 }
 
@@ -92,7 +48,7 @@ TEST(HamiltonianRayElliptic, crossesRimsToesAndEndsOfSlopes)
   {
     const auto seafloor = makeBuiltinSeafloor(c.spec);
     const RayMedium medium = mediumOf(*seafloor, c.period, 0.01);
-    const Formula formula = formulaOf(c);
+    const Formula formula = c.shoal.formula();
     int caustics = 0;
     RayErrors errors;
     for (const double y0 : { -4.7, -2.3, -1.1, -0.35, 0.15, 0.8, 1.7, 2.9, 4.3, 6.0 })

@@ -1,5 +1,7 @@
 // Rays over straight contours against Snell's law: plane, Dean and barred beaches, edge-trapped rays, fans.
 #include "RayComparison.h"
+#include "StraightForms.h"
+#include "TrappedRay.h"
 
 #include "sim/BuiltinSeafloor.h"
 
@@ -35,40 +37,22 @@ struct BeachCase
   double nearest; // x of the last place
 };
 
-std::function<Real(Real)> plane(Real slope)
-{
-  return [slope](Real x) { return slope * x; };
-}
-
-std::function<Real(Real)> dean(Real scale)
-{
-  return [scale](Real x) { return scale * std::cbrt(x * x); };
-}
-
-std::function<Real(Real)> bar(Real slope, Real height, Real position, Real width)
-{
-  return [=](Real x)
-  {
-    const Real t = (x - position) / width;
-    return slope * x - height * std::exp(-t * t);
-  };
-}
-
 #define SCENE ",x0=-100,x1=12100,y0=-40000,y1=40000"
 
 const BeachCase Cases[] = {
-  { "PlaneA", "plane:s=0.02" SCENE, plane(0.02L), 10.0, 2000.0, 45.0, 5.0 },
-  { "PlaneB", "plane:s=0.05" SCENE, plane(0.05L), 7.0, 1500.0, 30.0, 2.0 },
-  { "PlaneC", "plane:s=0.01" SCENE, plane(0.01L), 12.0, 12000.0, 70.0, 10.0 },
-  { "PlaneSteep", "plane:s=0.2" SCENE, plane(0.2L), 6.0, 300.0, -55.0, 1.0 },
-  { "PlaneLong", "plane:s=0.004" SCENE, plane(0.004L), 18.0, 9000.0, 15.0, 25.0 },
-  { "PlaneNormal", "plane:s=0.03" SCENE, plane(0.03L), 9.0, 1000.0, 0.0, 4.0 },
-  { "DeanA", "dean:A=0.12" SCENE, dean(0.12L), 9.0, 3000.0, 40.0, 5.0 },
-  { "DeanCoarse", "dean:A=0.25" SCENE, dean(0.25L), 6.0, 1500.0, -62.0, 2.0 },
-  { "DeanFine", "dean:A=0.08" SCENE, dean(0.08L), 14.0, 8000.0, 25.0, 8.0 },
-  { "BarA", "bar:s=0.02,hb=2,xb=200,wb=40" SCENE, bar(0.02L, 2.0L, 200.0L, 40.0L), 9.0, 1500.0, 40.0, 10.0 },
-  { "BarNarrow", "bar:s=0.025,hb=2.5,xb=160,wb=18" SCENE, bar(0.025L, 2.5L, 160.0L, 18.0L), 7.0, 1200.0, -50.0, 10.0 },
-  { "BarWide", "bar:s=0.01,hb=1,xb=500,wb=120" SCENE, bar(0.01L, 1.0L, 500.0L, 120.0L), 12.0, 4000.0, 65.0, 20.0 },
+  { "PlaneA", "plane:s=0.02" SCENE, planeDepth(0.02L), 10.0, 2000.0, 45.0, 5.0 },
+  { "PlaneB", "plane:s=0.05" SCENE, planeDepth(0.05L), 7.0, 1500.0, 30.0, 2.0 },
+  { "PlaneC", "plane:s=0.01" SCENE, planeDepth(0.01L), 12.0, 12000.0, 70.0, 10.0 },
+  { "PlaneSteep", "plane:s=0.2" SCENE, planeDepth(0.2L), 6.0, 300.0, -55.0, 1.0 },
+  { "PlaneLong", "plane:s=0.004" SCENE, planeDepth(0.004L), 18.0, 9000.0, 15.0, 25.0 },
+  { "PlaneNormal", "plane:s=0.03" SCENE, planeDepth(0.03L), 9.0, 1000.0, 0.0, 4.0 },
+  { "DeanA", "dean:A=0.12" SCENE, deanDepth(0.12L), 9.0, 3000.0, 40.0, 5.0 },
+  { "DeanCoarse", "dean:A=0.25" SCENE, deanDepth(0.25L), 6.0, 1500.0, -62.0, 2.0 },
+  { "DeanFine", "dean:A=0.08" SCENE, deanDepth(0.08L), 14.0, 8000.0, 25.0, 8.0 },
+  { "BarA", "bar:s=0.02,hb=2,xb=200,wb=40" SCENE, barDepth(0.02L, 2.0L, 200.0L, 40.0L), 9.0, 1500.0, 40.0, 10.0 },
+  { "BarNarrow", "bar:s=0.025,hb=2.5,xb=160,wb=18" SCENE, barDepth(0.025L, 2.5L, 160.0L, 18.0L), 7.0, 1200.0, -50.0,
+    10.0 },
+  { "BarWide", "bar:s=0.01,hb=1,xb=500,wb=120" SCENE, barDepth(0.01L, 1.0L, 500.0L, 120.0L), 12.0, 4000.0, 65.0, 20.0 },
 };
 
 void PrintTo(const BeachCase& beach, std::ostream* out)
@@ -149,52 +133,10 @@ TEST_P(StraightContours, widenAFan)
 INSTANTIATE_TEST_SUITE_P(HamiltonianRay, StraightContours, testing::ValuesIn(Cases),
   [](const testing::TestParamInfo<BeachCase>& beach) { return beach.param.name; });
 
-namespace
-{
-
-struct TrappedCase
-{
-  double slope;
-  double period;
-  double x0;
-  double theta0; // degrees from the seaward normal
-};
-
-/**
- * Trapped ray of a plane beach h = s x: with the heading from the seaward normal as the parameter, k = K/sin theta and
- * x = h(k)/s, nothing is singular where the ray turns.
- */
-Place trappedAt(const TrappedCase& c, Real omega, Real theta)
-{
-  const Real theta0 = c.theta0 * reference::Pi / 180.0L;
-  const Real along = wavenumber(omega, c.slope * c.x0) * std::sin(theta0);
-  const auto rate = [&](Real at) -> std::array<Real, 4>
-  {
-    const Real k = along / std::sin(at);
-    const Real h = reference::depthOf(omega, k);
-    // dx/dtheta = h'(k)/s dk/dtheta, dk/dtheta = -k cos/sin: over cos theta.
-    const Real overCosine = -k / std::sin(at) / (wavenumberSlope(omega, h) * c.slope);
-    return { std::sin(at) * overCosine, k * overCosine, overCosine / groupSpeed(omega, h), overCosine };
-  };
-  const auto sums = integrate(rate, theta0, theta);
-  Place place;
-  place.x = static_cast<double>(reference::depthOf(omega, along / std::sin(theta)) / c.slope);
-  place.y = static_cast<double>(sums[0]);
-  place.theta = static_cast<double>(theta);
-  place.phase = static_cast<double>(sums[1]);
-  place.time = static_cast<double>(sums[2]);
-  place.length = static_cast<double>(sums[3]);
-  place.width = static_cast<double>(std::cos(theta) / std::cos(theta0));
-  place.caustics = place.width < 0.0 ? 1 : 0;
-  return place;
-}
-
-}
-
 TEST(HamiltonianRay, turnsBackToTheShoreWhenTrapped)
 {
-  for (const TrappedCase& c : { TrappedCase{ 0.02, 10.0, 100.0, 50.0 }, TrappedCase{ 0.01, 60.0, 300.0, 30.0 },
-         TrappedCase{ 0.05, 8.0, 60.0, 70.0 }, TrappedCase{ 0.015, 20.0, 150.0, 40.0 } })
+  for (const TrappedRay& c : { TrappedRay{ 0.02, 10.0, 100.0, 50.0 }, TrappedRay{ 0.01, 60.0, 300.0, 30.0 },
+         TrappedRay{ 0.05, 8.0, 60.0, 70.0 }, TrappedRay{ 0.015, 20.0, 150.0, 40.0 } })
   {
     const auto seafloor =
       makeBuiltinSeafloor("plane:s=" + std::to_string(c.slope) + ",x0=-1000,x1=20000,y0=-50000,y1=50000");
@@ -207,7 +149,7 @@ TEST(HamiltonianRay, turnsBackToTheShoreWhenTrapped)
     for (int i = 1; i <= 50; ++i)
     {
       // No place is the turning point itself, where the width has no sign.
-      const Place place = trappedAt(c, medium.angularFrequency, theta0 + (i < 50 ? i + 0.37 : i) * step);
+      const Place place = c.at(theta0 + (i < 50 ? i + 0.37 : i) * step);
       ASSERT_TRUE(ray.advance(FrontMeasure::Length, place.length, point));
       errors.add(point, place);
     }

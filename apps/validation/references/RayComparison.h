@@ -23,10 +23,10 @@ inline RayMedium mediumOf(const Seafloor& seafloor, double period, double agroun
   return medium;
 }
 
-/** Wavenumber at a place for a heading. */
+/** Wavenumber at a place for a heading, by the library's own dispersion relation. */
 inline glm::dvec2 wavenumberAt(const RayMedium& medium, const glm::dvec2& position, double heading)
 {
-  const double k = static_cast<double>(wavenumber(medium.angularFrequency, medium.depth(position)));
+  const double k = solveWavenumber(medium.angularFrequency, medium.depth(position), medium.gravity);
   return k * glm::dvec2(std::cos(heading), std::sin(heading));
 }
 
@@ -38,10 +38,11 @@ inline RayStart startHeading(
   start.position = position;
   start.wavenumber = wavenumberAt(medium, position, heading);
   start.dPosition = tangent;
-  // The depth may vary along the line, and with it |k|.
+  // The depth may vary along the line, and with it |k|: dk/dh = -sigma_h/sigma_k.
   const double alongLine = -glm::dot(medium.seafloor->bed(position).gradient, tangent);
-  const double slope = static_cast<double>(wavenumberSlope(medium.angularFrequency, medium.depth(position)));
-  start.dWavenumber = slope * alongLine * glm::dvec2(std::cos(heading), std::sin(heading));
+  Frequency frequency{};
+  evaluateFrequency(glm::length(start.wavenumber), medium.depth(position), medium.gravity, frequency);
+  start.dWavenumber = -frequency.h / frequency.k * alongLine * glm::dvec2(std::cos(heading), std::sin(heading));
   return start;
 }
 
