@@ -1,6 +1,7 @@
 #include "RayArrays.h"
 
 #include <vtkCellArray.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
 
@@ -48,6 +49,22 @@ vtkSmartPointer<vtkIntArray> requireIntegers(vtkFieldData* attributes, const cha
 vtkSmartPointer<vtkUnsignedCharArray> requireBytes(vtkFieldData* attributes, const char* name, vtkIdType n)
 {
   return require<vtkUnsignedCharArray>(attributes, name, n);
+}
+
+vtkSmartPointer<vtkDoubleArray> positionsOf(vtkPolyData* rays)
+{
+  vtkDataArray* data = rays->GetPoints() ? rays->GetPoints()->GetData() : nullptr;
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(data))
+  {
+    return doubles;
+  }
+  auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+  copy->SetNumberOfComponents(3);
+  if (data)
+  {
+    copy->DeepCopy(data);
+  }
+  return copy;
 }
 
 std::vector<std::int64_t> rayOffsets(vtkPolyData* rays)

@@ -42,6 +42,9 @@ vtkSmartPointer<vtkIntArray> requireIntegers(vtkFieldData* attributes, const cha
 /** The same as bytes. */
 vtkSmartPointer<vtkUnsignedCharArray> requireBytes(vtkFieldData* attributes, const char* name, vtkIdType n);
 
+/** Positions of the points as doubles, x, y, z a point; shared, not copied, where they are doubles. */
+vtkSmartPointer<vtkDoubleArray> positionsOf(vtkPolyData* rays);
+
 /**
  * Where each ray begins among the points: rays + 1 entries.
  * @throws std::invalid_argument where the cells are not lines over the points in their order

@@ -48,7 +48,11 @@ int vtkSwellWaveHeight::RequestData(
     swellray::HeightOptions options;
     options.amplitude = static_cast<swellray::AmplitudeRule>(this->AmplitudeRule);
     options.breaking = static_cast<swellray::BreakingRule>(this->BreakingRule);
-    options.gamma = this->Gamma;
+    if (this->Gamma != 0.0)
+    {
+      options.gamma = this->Gamma;
+    }
+    options.friction = this->Friction;
     options.maxRefraction = this->MaxRefraction;
     options.validate();
 
@@ -56,6 +60,8 @@ int vtkSwellWaveHeight::RequestData(
     const std::size_t rays = offsets.size() - 1;
     const vtkIdType points = input->GetNumberOfPoints();
     vtkPointData* in = input->GetPointData();
+    const vtkSmartPointer<vtkDoubleArray> positions = swellray::positionsOf(input);
+    const auto travelTime = swellray::requireDoubles(in, "TravelTime", points);
     const auto depth = swellray::requireDoubles(in, "Depth", points);
     const auto wavenumber = swellray::requireDoubles(in, "Wavenumber", points);
     const auto groupSpeed = swellray::requireDoubles(in, "GroupSpeed", points);
@@ -64,6 +70,8 @@ int vtkSwellWaveHeight::RequestData(
     const auto krTube = swellray::requireDoubles(in, "KrTube", points);
     const auto state = swellray::requireBytes(in, "RayState", points);
     swellray::RayProfile all;
+    all.position = positions->GetPointer(0);
+    all.travelTime = travelTime->GetPointer(0);
     all.depth = depth->GetPointer(0);
     all.wavenumber = wavenumber->GetPointer(0);
     all.groupSpeed = groupSpeed->GetPointer(0);
@@ -79,6 +87,15 @@ int vtkSwellWaveHeight::RequestData(
     double* energyFlux = swellray::addArray<vtkDoubleArray>(out, "EnergyFlux", points);
     double* orbitalVelocity = swellray::addArray<vtkDoubleArray>(out, "OrbitalVelocity", points);
     unsigned char* breaking = swellray::addArray<vtkUnsignedCharArray>(out, "Breaking", points);
+    unsigned char* breakerType = swellray::addArray<vtkUnsignedCharArray>(out, "BreakerType", points);
+    double* distance = swellray::addArray<vtkDoubleArray>(out, "BreakingDistance", points);
+    double* friction =
+      options.friction > 0.0 ? swellray::addArray<vtkDoubleArray>(out, "FrictionCoefficient", points) : nullptr;
+    double* share = options.breaking == swellray::BreakingRule::BattjesJanssen
+      ? swellray::addArray<vtkDoubleArray>(out, "BrokenShare", points)
+      : nullptr;
+    swellray::setFieldString(output, "BreakingRule", swellray::breakingRuleName(options.breaking));
+    swellray::setFieldValue(output, "BreakerIndex", swellray::breakerIndex(options, wave));
 
     const swellray::Execution execution = swellray::makeExecution(this);
     for (std::size_t first = 0; first < rays; first += RaysAtOnce)
@@ -93,6 +110,8 @@ int vtkSwellWaveHeight::RequestData(
             const std::int64_t at = offsets[ray];
             swellray::RayProfile profile = all;
             profile.count = static_cast<std::size_t>(offsets[ray + 1] - at);
+            profile.position += 3 * at;
+            profile.travelTime += at;
             profile.depth += at;
             profile.wavenumber += at;
             profile.groupSpeed += at;
@@ -106,6 +125,16 @@ int vtkSwellWaveHeight::RequestData(
             std::copy(heights.energyFlux.begin(), heights.energyFlux.end(), energyFlux + at);
             std::copy(heights.orbitalVelocity.begin(), heights.orbitalVelocity.end(), orbitalVelocity + at);
             std::copy(heights.breaking.begin(), heights.breaking.end(), breaking + at);
+            std::copy(heights.breakerType.begin(), heights.breakerType.end(), breakerType + at);
+            std::copy(heights.breakingDistance.begin(), heights.breakingDistance.end(), distance + at);
+            if (friction)
+            {
+              std::copy(heights.friction.begin(), heights.friction.end(), friction + at);
+            }
+            if (share)
+            {
+              std::copy(heights.brokenShare.begin(), heights.brokenShare.end(), share + at);
+            }
           }
         });
       if (!execution.report(static_cast<double>(first + count) / static_cast<double>(rays)))
@@ -128,7 +157,9 @@ void vtkSwellWaveHeight::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "AmplitudeRule: " << (this->AmplitudeRule == TUBE ? "tube" : "spacing") << "\n";
-  os << indent << "BreakingRule: " << (this->BreakingRule == GAMMA_BREAKING ? "gamma" : "none") << "\n";
+  os << indent
+     << "BreakingRule: " << swellray::breakingRuleName(static_cast<swellray::BreakingRule>(this->BreakingRule)) << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
+  os << indent << "Friction: " << this->Friction << "\n";
   os << indent << "MaxRefraction: " << this->MaxRefraction << "\n";
 }

@@ -8,19 +8,26 @@
  * @class   vtkSwellWaveHeight
  * @brief   wave heights and breaking along traced rays
  *
- * Wraps swellray::computeHeights (equations there): H = H0 Ks Kr with breaking.
+ * Wraps swellray::computeHeights (equations there): H = H0 Ks Kr with bottom friction and breaking.
  *
  * Input 0: vtkPolyData, rays of vtkSwellRayTracer (also read back from a file), with the point arrays
- * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), ShoalingCoefficient, KrSpacing, KrTube, RayState,
+ * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), TravelTime (s), ShoalingCoefficient, KrSpacing, KrTube, RayState,
  * and the field data Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
  * OffshoreDepth (m) and Gravity (m/s2): the wave is the one that was traced, it cannot be set here.
  *
  * Output: the input, its arrays shared, with these point arrays added
  * - RefractionCoefficient (double): Kr in use
- * - WaveHeight (double, m): crest to trough
+ * - WaveHeight (double, m): crest to trough; with Battjes-Janssen the root mean square of a sea's heights, as is then
+ *   the incident height
  * - EnergyFlux (double, W/m): along the ray, a metre of crest
  * - OrbitalVelocity (double, m/s): amplitude near the bed
- * - Breaking (unsigned char): 1 where the wave is broken, otherwise 0
+ * - Breaking (unsigned char): 1 where the wave is broken (Battjes-Janssen: more than 5 % of the waves), otherwise 0
+ * - BreakerType (unsigned char): 0 not broken, 1 spilling, 2 plunging, 3 surging: by the Iribarren number xi_0 where this
+ *   breaking began, of the slope along the ray and the height in deep water
+ * - BreakingDistance (double, m): way along the ray since breaking began, 0 where it is not broken
+ * - FrictionCoefficient (double), only with friction: what it alone has left of the height
+ * - BrokenShare (double), only with Battjes-Janssen: share of the waves that are broken, 0 to 1
+ * and the field data BreakingRule (string, as the command line names it) and BreakerIndex (double, gamma in use).
  *
  * Changing an option here does not trace again. After an abort the output is empty.
  */
@@ -40,7 +47,11 @@ public:
   enum BreakingRules
   {
     NO_BREAKING = 0,
-    GAMMA_BREAKING = 1
+    GAMMA_BREAKING = 1,
+    WEGGEL_BREAKING = 2,
+    MICHE_BREAKING = 3,
+    DALLY_BREAKING = 4,
+    BATTJES_JANSSEN_BREAKING = 5
   };
 
   ///@{
@@ -52,17 +63,33 @@ public:
   ///@}
 
   ///@{
-  /** No breaking, or H <= Gamma h from the first breaking on (default). */
-  vtkSetClampMacro(BreakingRule, int, NO_BREAKING, GAMMA_BREAKING);
+  /**
+   * No breaking; saturated at Gamma h (default), at Weggel's or at Miche's limit; Dally, Dean and Dalrymple's decay and
+   * reformation; random waves of Battjes and Janssen.
+   */
+  vtkSetClampMacro(BreakingRule, int, NO_BREAKING, BATTJES_JANSSEN_BREAKING);
   vtkGetMacro(BreakingRule, int);
   void SetBreakingRuleToNone() { this->SetBreakingRule(NO_BREAKING); }
   void SetBreakingRuleToGamma() { this->SetBreakingRule(GAMMA_BREAKING); }
+  void SetBreakingRuleToWeggel() { this->SetBreakingRule(WEGGEL_BREAKING); }
+  void SetBreakingRuleToMiche() { this->SetBreakingRule(MICHE_BREAKING); }
+  void SetBreakingRuleToDally() { this->SetBreakingRule(DALLY_BREAKING); }
+  void SetBreakingRuleToBattjesJanssen() { this->SetBreakingRule(BATTJES_JANSSEN_BREAKING); }
   ///@}
 
   ///@{
-  /** Breaker index H/h; > 0, default 0.78. */
+  /**
+   * Breaker index H/h; > 0, or 0 (default): 0.78, for Battjes-Janssen by the steepness (Battjes and Stive 1985). Used
+   * by gamma, dally (there above 0.4) and battjes-janssen, and by all for rays aground.
+   */
   vtkSetMacro(Gamma, double);
   vtkGetMacro(Gamma, double);
+  ///@}
+
+  ///@{
+  /** Bottom friction factor fw (Jonsson 1966); >= 0, default 0. */
+  vtkSetMacro(Friction, double);
+  vtkGetMacro(Friction, double);
   ///@}
 
   ///@{
@@ -79,7 +106,8 @@ protected:
 
   int AmplitudeRule = SPACING;
   int BreakingRule = GAMMA_BREAKING;
-  double Gamma = 0.78;
+  double Gamma = 0.0;
+  double Friction = 0.0;
   double MaxRefraction = 3.0;
 
 private:

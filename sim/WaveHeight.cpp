@@ -1,6 +1,7 @@
 #include "sim/WaveHeight.h"
 
 #include "sim/Angles.h"
+#include "sim/BreakingMarch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,12 +24,86 @@ void requirePositive(const char* name, double value, bool infinityAllowed)
   }
 }
 
+// Slope of the bed along the ray, rising forward, from the depths at three points; second order in their distance.
+double slopeAt(const RayProfile& profile, const std::vector<double>& way, std::size_t i)
+{
+  const std::size_t before = i > 0 ? i - 1 : i;
+  const std::size_t after = i + 1 < profile.count ? i + 1 : i;
+  const double behind = way[i] - way[before];
+  const double ahead = way[after] - way[i];
+  const double riseBehind = behind > 0.0 ? (profile.depth[before] - profile.depth[i]) / behind : 0.0;
+  const double riseAhead = ahead > 0.0 ? (profile.depth[i] - profile.depth[after]) / ahead : 0.0;
+  if (behind == 0.0 || ahead == 0.0)
+  {
+    return riseBehind + riseAhead; // only one of them is known
+  }
+  return (riseBehind * ahead + riseAhead * behind) / (behind + ahead);
+}
+
+std::vector<double> waysAlong(const RayProfile& profile)
+{
+  std::vector<double> way(profile.count, 0.0);
+  for (std::size_t i = 1; profile.position && i < profile.count; ++i)
+  {
+    const double* const a = profile.position + 3 * (i - 1);
+    way[i] = way[i - 1] + std::hypot(a[3] - a[0], a[4] - a[1]);
+  }
+  return way;
+}
+
+void requireArrays(const RayProfile& profile, const HeightOptions& options)
+{
+  const bool marches = options.friction > 0.0 || options.breaking == BreakingRule::Dally ||
+    options.breaking == BreakingRule::BattjesJanssen;
+  if (marches && !profile.travelTime)
+  {
+    throw std::invalid_argument("friction and breaking by the way need the travel times of the ray");
+  }
+  if (options.breaking == BreakingRule::Weggel && !profile.position)
+  {
+    throw std::invalid_argument("breaking by weggel needs the positions of the ray");
+  }
+}
+
 }
 
 void HeightOptions::validate() const
 {
-  requirePositive("breaker index gamma", this->gamma, false);
+  if (this->gamma)
+  {
+    requirePositive("breaker index gamma", *this->gamma, false);
+  }
   requirePositive("largest refraction coefficient", this->maxRefraction, true);
+  if (this->breaking == BreakingRule::Dally && this->gamma && *this->gamma <= DallyStableIndex)
+  {
+    std::ostringstream message;
+    message << "breaker index gamma must be above " << DallyStableIndex
+            << ", the stable height over depth of dally, not " << *this->gamma;
+    throw std::invalid_argument(message.str());
+  }
+  if (!(this->friction >= 0.0) || std::isinf(this->friction))
+  {
+    std::ostringstream message;
+    message << "friction factor must be 0 or more, not " << this->friction;
+    throw std::invalid_argument(message.str());
+  }
+}
+
+double deepWaterHeight(const IncidentWave& wave)
+{
+  const double deepGroupSpeed = wave.gravity * wave.period / (4.0 * Pi);
+  return wave.height * std::sqrt(wave.groupSpeed() / deepGroupSpeed);
+}
+
+double breakerIndex(const HeightOptions& options, const IncidentWave& wave)
+{
+  if (options.gamma)
+  {
+    return *options.gamma;
+  }
+  const double deepLength = wave.gravity * wave.period * wave.period / (2.0 * Pi);
+  return options.breaking == BreakingRule::BattjesJanssen ? battjesStiveGamma(deepWaterHeight(wave) / deepLength)
+                                                          : StandardGamma;
 }
 
 void computeHeights(
@@ -36,42 +111,62 @@ void computeHeights(
 {
   wave.validate();
   options.validate();
-  result.refraction.resize(profile.count);
-  result.height.resize(profile.count);
-  result.energyFlux.resize(profile.count);
-  result.orbitalVelocity.resize(profile.count);
-  result.breaking.resize(profile.count);
+  requireArrays(profile, options);
+  const std::size_t count = profile.count;
+  for (std::vector<double>* values : { &result.refraction, &result.height, &result.energyFlux, &result.orbitalVelocity,
+         &result.breakingDistance, &result.friction, &result.brokenShare })
+  {
+    values->resize(count);
+  }
+  result.breaking.resize(count);
+  result.breakerType.resize(count);
+  if (count == 0)
+  {
+    return;
+  }
 
   const bool spacing = options.amplitude == AmplitudeRule::Spacing;
   const double* const first = spacing ? profile.krSpacing : profile.krTube;
   const double* const second = spacing ? profile.krTube : profile.krSpacing;
   const double fluxFactor = SeaWaterDensity * wave.gravity / 8.0;
+  const std::vector<double> way = waysAlong(profile);
 
   double refraction = std::min(1.0, options.maxRefraction); // in use until one is known
-  double remaining = 1.0;                                   // share of the height that breaking has left
-  for (std::size_t i = 0; i < profile.count; ++i)
+  const auto sampleAt = [&](std::size_t i)
   {
     const double known = std::isnan(first[i]) ? second[i] : first[i];
-    if (!std::isnan(known))
+    refraction = std::isnan(known) ? refraction : std::min(known, options.maxRefraction);
+    SurfSample sample;
+    sample.depth = profile.depth[i];
+    sample.wavenumber = profile.wavenumber[i];
+    sample.groupSpeed = profile.groupSpeed[i];
+    sample.slope = slopeAt(profile, way, i);
+    sample.lossless = wave.height * profile.shoaling[i] * refraction;
+    return sample;
+  };
+  const SurfRule rule{ options.breaking, breakerIndex(options, wave), options.friction, wave.period, wave.gravity,
+    deepWaterHeight(wave) };
+  BreakingMarch march(rule, sampleAt(0));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    if (i > 0)
     {
-      refraction = std::min(known, options.maxRefraction);
+      const double seconds = profile.travelTime ? profile.travelTime[i] - profile.travelTime[i - 1] : 0.0;
+      march.advance(sampleAt(i), seconds, way[i] - way[i - 1]);
     }
-    double height = remaining * wave.height * profile.shoaling[i] * refraction;
-
     // The shore's own points lie in water too shallow for any wave theory but this limit.
     const bool aground = profile.state[i] == static_cast<std::uint8_t>(RayState::Aground);
-    const double highest = options.gamma * std::max(0.0, profile.depth[i]);
-    const bool broken = (aground || options.breaking == BreakingRule::Gamma) && height > highest;
-    if (broken)
-    {
-      remaining *= highest / height;
-      height = highest;
-    }
+    const bool limited = aground && march.limitToDepth();
+    const double height = march.height();
     result.refraction[i] = refraction;
     result.height[i] = height;
     result.energyFlux[i] = fluxFactor * height * height * profile.groupSpeed[i];
     result.orbitalVelocity[i] = Pi * height / (wave.period * std::sinh(profile.wavenumber[i] * profile.depth[i]));
-    result.breaking[i] = broken ? 1 : 0;
+    result.breaking[i] = march.broken() || limited ? 1 : 0;
+    result.breakerType[i] = static_cast<std::uint8_t>(profile.position ? march.type() : BreakerType::None);
+    result.breakingDistance[i] = march.distance();
+    result.friction[i] = march.friction();
+    result.brokenShare[i] = limited ? 1.0 : march.brokenShare();
   }
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include "sim/Breaking.h"
 #include "sim/IncidentWave.h"
 #include "sim/RayField.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace swellray
@@ -15,18 +17,16 @@ enum class AmplitudeRule
   Tube,    ///< from dynamic ray tracing along each ray
 };
 
-enum class BreakingRule
-{
-  None,
-  Gamma, ///< saturated: H <= gamma h from the first breaking on
-};
+/** Breaker index H/h unless set. */
+constexpr double StandardGamma = 0.78;
 
 struct HeightOptions
 {
   AmplitudeRule amplitude = AmplitudeRule::Spacing;
   BreakingRule breaking = BreakingRule::Gamma;
-  double gamma = 0.78;        ///< breaker index H/h, > 0
-  double maxRefraction = 3.0; ///< cap of the refraction coefficient at caustics, > 0
+  std::optional<double> gamma; ///< breaker index H/h, > 0; none: breakerIndex()
+  double friction = 0.0;       ///< bottom friction factor fw (Jonsson 1966), >= 0
+  double maxRefraction = 3.0;  ///< cap of the refraction coefficient at caustics, > 0
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;
@@ -35,11 +35,15 @@ struct HeightOptions
 /** Wave quantities at the points of one ray; all vectors have one entry a point. */
 struct RayHeights
 {
-  std::vector<double> refraction;      ///< Kr in use, -
-  std::vector<double> height;          ///< H, m
-  std::vector<double> energyFlux;      ///< rho g H^2 Cg / 8, W/m
-  std::vector<double> orbitalVelocity; ///< pi H/(T sinh kh), amplitude near the bed, m/s
-  std::vector<std::uint8_t> breaking;  ///< 1 where the wave is broken
+  std::vector<double> refraction;        ///< Kr in use, -
+  std::vector<double> height;            ///< H, m
+  std::vector<double> energyFlux;        ///< rho g H^2 Cg / 8, W/m
+  std::vector<double> orbitalVelocity;   ///< pi H/(T sinh kh), amplitude near the bed, m/s
+  std::vector<std::uint8_t> breaking;    ///< 1 where the wave breaks; of random waves where more than 5 % do
+  std::vector<std::uint8_t> breakerType; ///< BreakerType of the wave where it breaks, by xi_0 where breaking began
+  std::vector<double> breakingDistance;  ///< way along the ray since breaking began, m; 0 where it does not break
+  std::vector<double> friction;          ///< Kf: what bottom friction alone has left of the height
+  std::vector<double> brokenShare;       ///< Qb of random waves (Battjes and Janssen 1978), otherwise 0 or 1
 };
 
 /** Density of sea water, kg/m3. */
@@ -49,6 +53,8 @@ constexpr double SeaWaterDensity = 1025.0;
 struct RayProfile
 {
   std::size_t count = 0;
+  const double* position = nullptr;    ///< x, y, z a point, m; null: ways and slopes are 0, breaker types not known
+  const double* travelTime = nullptr;  ///< s; null allowed where nothing is lost by the way
   const double* depth = nullptr;       ///< m
   const double* wavenumber = nullptr;  ///< rad/m
   const double* groupSpeed = nullptr;  ///< relative to the water, m/s
@@ -59,10 +65,23 @@ struct RayProfile
 };
 
 /**
- * H = H0 Ks Kr with breaking, point by point along a ray.
- * Ks is taken as the tracer found it. Where the rule's coefficient is not known (NaN)
- * the other one is taken; an aground ray has the height its depth allows.
+ * Breaker index in use: that of the options; for Battjes-Janssen otherwise that of Battjes and Stive 1985 for the wave's
+ * steepness in deep water, else 0.78.
+ */
+double breakerIndex(const HeightOptions& options, const IncidentWave& wave);
+
+/** Height of the wave in deep water, unrefracted, m: H0 sqrt(Cg/Cg_deep) of its offshore depth. */
+double deepWaterHeight(const IncidentWave& wave);
+
+/**
+ * H = H0 Ks Kr with the losses of BreakingMarch (equations there), point by point along a ray: bottom friction, and
+ * breaking by the rule. With Battjes-Janssen H0 and all heights are root mean square heights of a sea of narrow
+ * spectrum, Hrms = Hm0/sqrt 2, and the period is that of its peak; otherwise heights of a regular wave.
+ *
+ * Ks is taken as the tracer found it. Where the rule's coefficient is not known (NaN) the other one is taken; an
+ * aground ray is no higher than gamma h. Slopes are those of the bed along the ray, from the depths at the points.
  * @param result resized to profile.count
+ * @throws std::invalid_argument on a bad wave or option, or where the profile lacks what these need
  */
 void computeHeights(
   const RayProfile& profile, const IncidentWave& wave, const HeightOptions& options, RayHeights& result);

@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 #include <utility>
 
 namespace swellray::cli
@@ -22,6 +23,7 @@ const NumberRule PositiveSeconds{ "seconds", 0.0, 1e300, true };
 const NumberRule Degrees{ "degrees", -360.0, 360.0 };
 const NumberRule PlainNumber{};
 const NumberRule PositiveNumber{ "", 0.0, 1e300, true };
+const NumberRule NonNegativeNumber{ "", 0.0 };
 
 // A tolerance beyond these either cannot be met in double precision or says nothing.
 const NumberRule Tolerance{ "", 1e-14, 1e-2 };
@@ -225,9 +227,12 @@ std::vector<OptionSpec> heightOptions(RayRequest& rays)
       std::vector<std::pair<std::string, bool>>{ { "cap", false }, { "geometric", true } }),
     number("--kr-max", "K", "largest refraction coefficient", "3", group, rays.maxRefraction, PositiveNumber),
     choice("--breaking", "limit of the height in shallow water", "gamma", group, height.breaking,
-      std::vector<std::pair<std::string, BreakingRule>>{
-        { "gamma", BreakingRule::Gamma }, { "none", BreakingRule::None } }),
-    number("--gamma", "G", "breaker index: height over depth", "0.78", group, height.gamma, PositiveNumber),
+      std::vector<std::pair<std::string, BreakingRule>>{ { "none", BreakingRule::None },
+        { "gamma", BreakingRule::Gamma }, { "weggel", BreakingRule::Weggel }, { "miche", BreakingRule::Miche },
+        { "dally", BreakingRule::Dally }, { "battjes-janssen", BreakingRule::BattjesJanssen } }),
+    number("--gamma", "G", "breaker index: height over depth", "0.78; battjes-janssen: by the steepness", group,
+      height.gamma, PositiveNumber),
+    number("--friction", "FW", "bottom friction factor of Jonsson", "0", group, height.friction, NonNegativeNumber),
   };
 }
 
@@ -354,6 +359,14 @@ void checkTogether(Request& request)
   else if (rays.maxRefraction)
   {
     rays.height.maxRefraction = *rays.maxRefraction;
+  }
+  try
+  {
+    rays.height.validate();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw UsageError(error.what());
   }
   if (!request.contour.levels.empty() && request.contour.interval)
   {

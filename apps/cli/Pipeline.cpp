@@ -116,9 +116,9 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
 {
   heights->SetAmplitudeRule(
     options.amplitude == AmplitudeRule::Tube ? vtkSwellWaveHeight::TUBE : vtkSwellWaveHeight::SPACING);
-  heights->SetBreakingRule(
-    options.breaking == BreakingRule::None ? vtkSwellWaveHeight::NO_BREAKING : vtkSwellWaveHeight::GAMMA_BREAKING);
-  heights->SetGamma(options.gamma);
+  heights->SetBreakingRule(static_cast<int>(options.breaking));
+  heights->SetGamma(options.gamma.value_or(0.0));
+  heights->SetFriction(options.friction);
   heights->SetMaxRefraction(options.maxRefraction);
 }
 

@@ -109,6 +109,24 @@ void sayHeights(vtkPolyData* rays, const Console& console)
   }
 }
 
+std::string breakingInWords(const RayRequest& rays)
+{
+  const HeightOptions& options = rays.height;
+  const std::string friction = options.friction > 0.0 ? fmt::format(", bottom friction {:g}", options.friction) : "";
+  const double gamma = breakerIndex(options, rays.wave);
+  switch (options.breaking)
+  {
+  case BreakingRule::None:
+  case BreakingRule::Weggel:
+  case BreakingRule::Miche:
+    return breakingRuleName(options.breaking) + friction;
+  case BreakingRule::Gamma:
+    return fmt::format("H <= {:.3g} h", gamma) + friction;
+  default:
+    return fmt::format("{}, gamma {:.3g}", breakingRuleName(options.breaking), gamma) + friction;
+  }
+}
+
 // The choices that the scene made, where the call left them open.
 void sayDefaults(vtkPolyData* rays, const Request& request, const Console& console)
 {
@@ -123,8 +141,7 @@ void sayDefaults(vtkPolyData* rays, const Request& request, const Console& conso
                               origin(trace.stepsPerWave.has_value()))) +
     fmt::format("; amplitude by {}; breaking: {}",
       request.rays.height.amplitude == AmplitudeRule::Tube ? "the tube equation" : "ray spacing",
-      request.rays.height.breaking == BreakingRule::None ? "none"
-                                                         : fmt::format("H <= {:g} h", request.rays.height.gamma)));
+      breakingInWords(request.rays)));
 }
 
 }

@@ -80,6 +80,8 @@ TEST(WaveHeight, isThatOfTheCoreAlongEachRay)
     const vtkIdType first = points[0];
     swellray::RayProfile profile;
     profile.count = static_cast<std::size_t>(size);
+    profile.position = vtkDoubleArray::SafeDownCast(data->GetPoints()->GetData())->GetPointer(0) + 3 * first;
+    profile.travelTime = valuesOf(data, "TravelTime") + first;
     profile.depth = valuesOf(data, "Depth") + first;
     profile.wavenumber = valuesOf(data, "Wavenumber") + first;
     profile.groupSpeed = valuesOf(data, "GroupSpeed") + first;
@@ -220,7 +222,7 @@ TEST(WaveHeight, saysWhatIsWrongOnce)
     EXPECT_EQ(scene.Heights->GetOutput()->GetNumberOfPoints(), 0);
     return listener->Errors.empty() ? std::string() : listener->Errors.front();
   };
-  EXPECT_THAT(errorOf([](Scene& s) { s.Heights->SetGamma(0.0); }), testing::HasSubstr("gamma"));
+  EXPECT_THAT(errorOf([](Scene& s) { s.Heights->SetGamma(-1.0); }), testing::HasSubstr("gamma"));
   EXPECT_THAT(errorOf([](Scene& s) { s.Heights->SetInputData(vtkNew<vtkPolyData>()); }), testing::HasSubstr("Period"));
   const auto spoilCopy = [&](const std::function<void(vtkPolyData*)>& spoil)
   {

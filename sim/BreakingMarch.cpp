@@ -1,0 +1,272 @@
+#include "sim/BreakingMarch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Largest loss in a sub-step: its square is the relative error.
+constexpr double LossOfAStep = 0.05;
+constexpr double MostSteps = 200.0;
+
+// Changes of state in a sub-step; more are not resolved by the points.
+constexpr int MostChanges = 4;
+
+// Random waves count as breaking where more than 5 % are broken: Qb = 0.05 at this Hrms/Hm.
+const double RandomOnset = std::sqrt(-0.95 / std::log(0.05));
+
+// A saturated wave stays broken where it is as high as its limit up to rounding: over a flat, for instance.
+constexpr double Rounding = 1e-9;
+
+constexpr double SmallestDepth = 1e-9; // m: keeps the ratios finite
+
+bool isSaturated(BreakingRule rule)
+{
+  return rule == BreakingRule::Gamma || rule == BreakingRule::Weggel || rule == BreakingRule::Miche;
+}
+
+double square(double x)
+{
+  return x * x;
+}
+
+}
+
+SurfSample BreakingMarch::Step::at(double w) const
+{
+  const auto between = [w](double a, double b) { return a + w * (b - a); };
+  SurfSample sample;
+  sample.depth = between(this->from.depth, this->to.depth);
+  sample.wavenumber = between(this->from.wavenumber, this->to.wavenumber);
+  sample.groupSpeed = between(this->from.groupSpeed, this->to.groupSpeed);
+  sample.slope = between(this->from.slope, this->to.slope);
+  sample.lossless = between(this->from.lossless, this->to.lossless);
+  return sample;
+}
+
+BreakingMarch::BreakingMarch(const SurfRule& rule, const SurfSample& start)
+  : Rule(rule)
+  , Here(start)
+{
+  this->Here.depth = std::max(this->Here.depth, SmallestDepth);
+  if (this->height() > this->onset(this->Here))
+  {
+    this->begin(this->Here);
+  }
+  const double highest = this->limit(this->Here);
+  if (this->height() > highest && std::isfinite(this->Here.lossless))
+  {
+    this->Share = square(highest / this->Here.lossless);
+  }
+}
+
+double BreakingMarch::limit(const SurfSample& sample) const
+{
+  switch (this->Rule.breaking)
+  {
+  case BreakingRule::None:
+    return std::numeric_limits<double>::infinity();
+  case BreakingRule::Weggel:
+    return weggelHeight(sample.depth, sample.slope, this->Rule.period, this->Rule.gravity);
+  case BreakingRule::Miche:
+    return micheHeight(sample.wavenumber, sample.depth);
+  case BreakingRule::BattjesJanssen:
+    return randomWaveLimit(sample.wavenumber, sample.depth, this->Rule.gamma);
+  default:
+    return this->Rule.gamma * sample.depth;
+  }
+}
+
+double BreakingMarch::onset(const SurfSample& sample) const
+{
+  return this->Rule.breaking == BreakingRule::BattjesJanssen ? RandomOnset * this->limit(sample) : this->limit(sample);
+}
+
+double BreakingMarch::stableShare(const SurfSample& sample) const
+{
+  return square(DallyStableIndex * sample.depth / sample.lossless);
+}
+
+double BreakingMarch::height() const
+{
+  // The height of an infinite wave is not what is left of it.
+  return std::isfinite(this->Here.lossless) ? this->Here.lossless * std::sqrt(this->Share)
+                                            : std::min(this->Here.lossless, this->limit(this->Here));
+}
+
+double BreakingMarch::brokenShare() const
+{
+  return this->Rule.breaking == BreakingRule::BattjesJanssen
+    ? swellray::brokenShare(this->height() / this->limit(this->Here))
+    : (this->Broken ? 1.0 : 0.0);
+}
+
+void BreakingMarch::begin(const SurfSample& sample)
+{
+  this->Broken = true;
+  this->Distance = 0.0;
+  this->Type = breakerType(iribarrenNumber(sample.slope, this->Rule.deepHeight, this->Rule.period, this->Rule.gravity));
+}
+
+bool BreakingMarch::limitToDepth()
+{
+  const double highest = this->Rule.gamma * this->Here.depth;
+  const bool tooHigh = this->height() > highest;
+  if (tooHigh && std::isfinite(this->Here.lossless))
+  {
+    this->Share = square(highest / this->Here.lossless);
+  }
+  return tooHigh;
+}
+
+double BreakingMarch::breakingLoss(const SurfSample& middle, double share, double seconds) const
+{
+  if (this->Rule.breaking == BreakingRule::Dally)
+  {
+    const double excess = this->Broken ? share - this->stableShare(middle) : 0.0;
+    return excess > 0.0 ? -excess * std::expm1(-DallyDecay * middle.groupSpeed / middle.depth * seconds) : 0.0;
+  }
+  if (this->Rule.breaking == BreakingRule::BattjesJanssen)
+  {
+    const auto rate = [&](double p)
+    {
+      const double ratio = std::min(1.0, middle.lossless * std::sqrt(p) / this->limit(middle));
+      return ratio > 0.0 ? 2.0 / this->Rule.period * swellray::brokenShare(ratio) / square(ratio) : 0.0;
+    };
+    const double half = share * std::exp(-0.5 * rate(share) * seconds);
+    return -share * std::expm1(-rate(half) * seconds);
+  }
+  return 0.0;
+}
+
+double BreakingMarch::shareAfter(const Step& step, double share, double w0, double w1, double& kf) const
+{
+  const SurfSample middle = step.at(0.5 * (w0 + w1));
+  const double seconds = step.seconds * (w1 - w0);
+  const auto rub = [&](double p)
+  {
+    if (this->Rule.friction > 0.0)
+    {
+      // Exact for a rate that grows with the height.
+      const double left = 1.0 /
+        (1.0 +
+          0.25 * seconds *
+            frictionRate(this->Rule.friction, middle.lossless * std::sqrt(p), middle.wavenumber, middle.depth,
+              this->Rule.period, this->Rule.gravity));
+      kf *= left;
+      p *= left * left;
+    }
+    return p;
+  };
+  share = rub(share);
+  share -= this->breakingLoss(middle, share, seconds);
+  share = rub(share);
+
+  const bool limited =
+    this->Rule.breaking == BreakingRule::BattjesJanssen || (this->Broken && isSaturated(this->Rule.breaking));
+  const SurfSample end = step.at(w1);
+  const double highest = limited ? this->limit(end) : 0.0;
+  return limited && end.lossless * std::sqrt(share) > highest ? square(highest / end.lossless) : share;
+}
+
+bool BreakingMarch::changes(const Step& step, double share, double w) const
+{
+  const SurfSample sample = step.at(w);
+  const double height = sample.lossless * std::sqrt(share);
+  if (!this->Broken)
+  {
+    return height > this->onset(sample);
+  }
+  if (this->Rule.breaking == BreakingRule::Dally)
+  {
+    return share <= this->stableShare(sample);
+  }
+  return height < this->onset(sample) * (1.0 - Rounding);
+}
+
+double BreakingMarch::advanceTo(const Step& step, double w0, double w1)
+{
+  double kf = this->Kf;
+  const double share = this->shareAfter(step, this->Share, w0, w1, kf);
+  if (!this->changes(step, share, w1))
+  {
+    this->Share = share;
+    this->Kf = kf;
+    this->Distance += (w1 - w0) * step.metres;
+    return w1;
+  }
+  double low = w0;
+  double high = w1;
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+  {
+    double ignored = 1.0;
+    (this->changes(step, this->shareAfter(step, this->Share, w0, middle, ignored), middle) ? high : low) = middle;
+  }
+  this->Share = this->shareAfter(step, this->Share, w0, high, this->Kf);
+  if (this->Broken)
+  {
+    this->Broken = false;
+  }
+  else
+  {
+    this->begin(step.at(high));
+  }
+  return high;
+}
+
+void BreakingMarch::advance(const SurfSample& next, double seconds, double metres)
+{
+  Step step{ this->Here, next, seconds, metres };
+  step.to.depth = std::max(next.depth, SmallestDepth);
+  this->Here = step.to;
+  // Next to a caustic of infinite height there is nothing to interpolate.
+  if (!std::isfinite(step.from.lossless))
+  {
+    step.from.lossless = step.to.lossless;
+  }
+  if (!std::isfinite(step.to.lossless))
+  {
+    step.to.lossless = step.from.lossless;
+  }
+  if (!std::isfinite(step.to.lossless))
+  {
+    this->Distance += metres;
+    return;
+  }
+
+  double rate = 0.0;
+  if (this->Rule.breaking == BreakingRule::BattjesJanssen)
+  {
+    rate = 2.0 / this->Rule.period;
+  }
+  else if (this->Rule.breaking == BreakingRule::Dally)
+  {
+    rate = DallyDecay * std::max(step.from.groupSpeed / step.from.depth, step.to.groupSpeed / step.to.depth);
+  }
+  if (this->Rule.friction > 0.0)
+  {
+    const auto rubbing = [&](const SurfSample& s) {
+      return frictionRate(
+        this->Rule.friction, s.lossless, s.wavenumber, s.depth, this->Rule.period, this->Rule.gravity);
+    };
+    rate += std::max(rubbing(step.from), rubbing(step.to));
+  }
+  const double steps = std::clamp(std::ceil(rate * seconds / LossOfAStep), 1.0, MostSteps);
+  double w = 0.0;
+  for (double i = 1.0; i <= steps; ++i)
+  {
+    const double end = i / steps;
+    for (int change = 0; w < end && change < MostChanges; ++change)
+    {
+      w = this->advanceTo(step, w, end);
+    }
+    w = end;
+  }
+}
+
+}
