@@ -1,0 +1,86 @@
+#include "RaySheetInput.h"
+
+#include "FieldData.h"
+
+#include <vtkCellData.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+vtkSmartPointer<vtkDoubleArray> doubleTriples(vtkDataArray* array, vtkIdType n, const char* name)
+{
+  if (!array || array->GetNumberOfComponents() != 3 || array->GetNumberOfTuples() != n)
+  {
+    throw std::invalid_argument(
+      std::string("the input has no array ") + name + " of three components; give it the output of vtkSwellRayTracer");
+  }
+  if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    return doubles;
+  }
+  auto copy = vtkSmartPointer<vtkDoubleArray>::New();
+  copy->DeepCopy(array);
+  return copy;
+}
+
+template <typename Array, typename Value>
+void copyOut(const std::vector<Value>& values, vtkFieldData* attributes, const char* name)
+{
+  std::copy(values.begin(), values.end(), addArray<Array>(attributes, name, static_cast<vtkIdType>(values.size())));
+}
+
+}
+
+RaySheetInput::RaySheetInput(vtkPolyData* rays)
+  : Offsets(rayOffsets(rays))
+{
+  const auto hold = [this](const auto& array)
+  {
+    this->Held.push_back(array);
+    return array->GetPointer(0);
+  };
+  const vtkIdType points = rays->GetNumberOfPoints();
+  const auto count = static_cast<vtkIdType>(this->Offsets.size() - 1);
+  vtkPointData* ofPoints = rays->GetPointData();
+  vtkCellData* ofRays = rays->GetCellData();
+  SheetRays arrays;
+  arrays.lines.rays = this->Offsets.size() - 1;
+  arrays.lines.offsets = this->Offsets.data();
+  if (points > 0)
+  {
+    arrays.lines.positions = hold(doubleTriples(rays->GetPoints()->GetData(), points, "of points"));
+  }
+  arrays.lines.phase = hold(requireDoubles(ofPoints, "Phase", points));
+  arrays.lines.launchParameter = hold(requireDoubles(ofRays, "LaunchParameter", count));
+  arrays.lines.launchSegment = hold(requireIntegers(ofRays, "LaunchSegment", count));
+  arrays.parent = hold(requireIntegers(ofRays, "ParentRay", count));
+  arrays.lee = hold(requireBytes(ofRays, "LeeRay", count));
+  arrays.direction = hold(doubleTriples(ofPoints->GetArray("Direction"), points, "Direction"));
+  arrays.wavenumber = hold(requireDoubles(ofPoints, "Wavenumber", points));
+  arrays.height = hold(requireDoubles(ofPoints, "WaveHeight", points));
+  arrays.caustics = hold(requireIntegers(ofPoints, "Caustics", points));
+  arrays.breaking = hold(requireBytes(ofPoints, "Breaking", points));
+  arrays.state = hold(requireBytes(ofPoints, "RayState", points));
+  this->Sheets = std::make_unique<RaySheets>(arrays, fieldValue(rays, "MaxSpacing").value_or(0.0));
+}
+
+void addMapArrays(vtkFieldData* attributes, const RayMap& map)
+{
+  copyOut<vtkDoubleArray>(map.height, attributes, "WaveHeight");
+  copyOut<vtkDoubleArray>(map.directionFrom, attributes, "DirectionFrom");
+  copyOut<vtkDoubleArray>(map.wavelength, attributes, "Wavelength");
+  copyOut<vtkUnsignedCharArray>(map.breaking, attributes, "Breaking");
+  copyOut<vtkUnsignedCharArray>(map.lee, attributes, "LeeRay");
+  copyOut<vtkIntArray>(map.count, attributes, "RayCount");
+}
+
+}
