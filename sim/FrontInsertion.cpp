@@ -1,6 +1,7 @@
 #include "sim/FrontMarch.h"
 
 #include "sim/Angles.h"
+#include "sim/CurrentDispersion.h"
 #include "sim/Dispersion.h"
 
 #include <glm/geometric.hpp>
@@ -69,17 +70,39 @@ bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
   return this->Options.leeRays && water.state != RayState::Flat && gap > FinestLeeGap;
 }
 
-RayStart FrontMarch::startBetween(const Ray& a, const Ray& b, const glm::dvec2& direction) const
+std::optional<double> FrontMarch::wavenumberAt(const glm::dvec2& position, const glm::dvec2& direction) const
 {
+  const RayMedium& medium = this->Medium;
+  const double depth = std::max(medium.depth(position), medium.agroundDepth);
+  return medium.current
+    ? solveOnCurrent(medium.angularFrequency, depth, medium.gravity, direction, 0.0, medium.current->velocity(position))
+    : solveWavenumber(medium.angularFrequency, depth, medium.gravity);
+}
+
+std::optional<RayStart> FrontMarch::startBetween(const Ray& a, const Ray& b) const
+{
+  const glm::dvec2 directionA = glm::normalize(a.place.wavenumber);
+  const glm::dvec2 directionB = glm::normalize(b.place.wavenumber);
+  glm::dvec2 direction = directionA + directionB;
+  const double size = glm::length(direction);
+  if (!(size > 0.0))
+  {
+    return {};
+  }
+  direction /= size;
   RayStart start;
   start.position = 0.5 * (a.place.position + b.place.position);
-  const double depth = std::max(this->Medium.depth(start.position), this->Medium.agroundDepth);
-  const double k = solveWavenumber(this->Medium.angularFrequency, depth, this->Medium.gravity);
+  const std::optional<double> found = this->wavenumberAt(start.position, direction);
+  if (!found)
+  {
+    return {};
+  }
+  const double k = *found;
   start.wavenumber = k * direction;
   // The tube between the two, by differences.
   const double gap = b.info.launchParameter - a.info.launchParameter;
   start.dPosition = (b.place.position - a.place.position) / gap;
-  start.dWavenumber = k * (b.place.rayDirection - a.place.rayDirection) / gap;
+  start.dWavenumber = k * (directionB - directionA) / gap;
   start.phase = 0.5 * (a.place.phase + b.place.phase);
   start.travelTime = 0.5 * (a.place.travelTime + b.place.travelTime);
   start.length = this->frontValue();
@@ -110,19 +133,13 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
   }
   else
   {
-    glm::dvec2 direction = a.place.rayDirection + b.place.rayDirection;
-    const double size = glm::length(direction);
-    if (!(size > 0.0))
-    {
-      return;
-    }
-    direction /= size;
+    const std::optional<RayStart> between = this->startBetween(a, b);
     // What would run back against the incident wave is no diffraction into the lee.
-    if (job.kind == Insertion::Lee && glm::dot(direction, this->Wave.direction()) < 0.0)
+    if (!between || (job.kind == Insertion::Lee && glm::dot(between->wavenumber, this->Wave.direction()) < 0.0))
     {
       return;
     }
-    start = this->startBetween(a, b, direction);
+    start = *between;
     if (this->Medium.depth(start.position) < this->Medium.agroundDepth || this->Medium.seafloor->isHole(start.position))
     {
       return;

@@ -3,6 +3,7 @@
 #include "sim/Angles.h"
 #include "sim/Dispersion.h"
 #include "sim/HamiltonianRay.h"
+#include "sim/RayQuantities.h"
 #include "sim/SnellRay.h"
 
 #include <glm/geometric.hpp>
@@ -180,8 +181,7 @@ void FrontMarch::launchAll()
         ray.measure = this->measureOf(start);
         RayPoint& point = ray.between[0];
         ray.path->advance(this->Measure, ray.measure, point);
-        const double left = point.wavenumber.x * start.dPosition.y - point.wavenumber.y * start.dPosition.x;
-        point.spacingWidth = left / glm::length(point.wavenumber);
+        point.spacingWidth = point.rayDirection.x * start.dPosition.y - point.rayDirection.y * start.dPosition.x;
         point.front = BetweenFronts;
         point.state = RayState::Alive;
         ray.betweenCount = 1;
@@ -251,6 +251,7 @@ void FrontMarch::walkOn(Ray& ray, double target) const
   ray.place.position = ray.walk.position();
   ray.place.rayDirection = ray.walk.direction();
   ray.place.wavenumber = k * ray.walk.direction();
+  ray.place.current = glm::dvec2(0.0);
   ray.place.depth = this->Medium.agroundDepth;
   ray.place.phase += k * distance;
   ray.place.travelTime += distance / ray.walk.groupSpeed();
@@ -476,8 +477,9 @@ void FrontMarch::markFlat()
     }
     const RayPoint& place = ray.place;
     const double width = std::isfinite(place.spacingWidth) ? place.spacingWidth : std::abs(place.tubeWidth);
-    const double groupSpeed = waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity).groupSpeed;
-    const double height = this->Wave.height * std::sqrt(groupSpeed0 / (groupSpeed * width));
+    const WaveSpeeds speeds = waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity);
+    const double height = this->Wave.height *
+      shoalingCoefficient(place, speeds, groupSpeed0, this->Medium.angularFrequency) * refractionCoefficient(width);
     ray.state = height < flatHeight ? RayState::Flat : RayState::Alive;
   }
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace swellray
@@ -81,7 +82,8 @@ private:
   void insertRays();
   bool wantsInsertion(std::size_t at, Insertion& kind) const;
   void makeInsertion(InsertionJob& job, double target) const;
-  RayStart startBetween(const Ray& a, const Ray& b, const glm::dvec2& direction) const;
+  std::optional<double> wavenumberAt(const glm::dvec2& position, const glm::dvec2& direction) const;
+  std::optional<RayStart> startBetween(const Ray& a, const Ray& b) const;
   void measureSpacing();
   double spacingWidth(std::size_t at) const;
   const Ray* neighbour(std::size_t at, int step, const Ray& self) const;

@@ -1,6 +1,7 @@
 #include "sim/HamiltonianRay.h"
 
 #include "sim/Angles.h"
+#include "sim/CurrentDispersion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -66,10 +67,24 @@ constexpr double DeepWater = 10.0;
 // A step below this share of a wavelength makes no progress any more.
 constexpr double SmallestStep = 1e-9;
 
+// Above this share of the group speed at both ends of a step there is no need to look for a stop within it.
+constexpr double SafeShare = 0.25;
+
 constexpr int BisectionSteps = 60;
 
 // Newton's method has converged after a correction of this share of a step: the next one is its square.
 constexpr double LastCorrection = 1e-9;
+
+glm::dvec2 rayDirection(const State& rate)
+{
+  return glm::dvec2(rate[X], rate[Y]) / rate[Length];
+}
+
+/** Speed of the energy along the wavenumber over the group speed: 1 without a current. */
+double speedShare(const State& y, const State& rate, const Frequency& frequency)
+{
+  return rate[Phase] / (std::hypot(y[Kx], y[Ky]) * frequency.k);
+}
 
 }
 
@@ -104,7 +119,13 @@ HamiltonianRay::HamiltonianRay(const RayMedium& medium, const RayStart& start, d
   }
   this->BeginDepth = this->EndDepth = local.depth;
   this->EndRate = this->BeginRate;
-  this->Negative = rayequations::tubeWidth(this->Begin) < 0.0;
+  this->BeginShare = speedShare(this->Begin, this->BeginRate, local.frequency);
+  if (this->BeginShare < BlockedShare)
+  {
+    this->end(EndReason::BlockedByCurrent);
+    return;
+  }
+  this->Negative = rayequations::tubeWidth(this->Begin, rayDirection(this->BeginRate)) < 0.0;
   const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
   this->WidthScale = std::max(std::hypot(this->Begin[DX], this->Begin[DY]), 1e-12);
   this->RateScale = std::max(std::hypot(this->Begin[DKx], this->Begin[DKy]), this->WidthScale * k * k / (2.0 * Pi));
@@ -232,12 +253,17 @@ double HamiltonianRay::errorNorm(const State& error, const State& end) const
 double HamiltonianRay::longestStep() const
 {
   const double speed = this->BeginRate[Length];
-  const double feature = this->Medium.seafloor->featureLength();
+  double feature = this->Medium.seafloor->featureLength();
+  double reach = 32.0 * feature;
+  if (this->Medium.current)
+  {
+    feature = std::min(feature, this->Medium.current->featureLength());
+    reach = std::min(reach, this->Medium.current->featureLength());
+  }
   const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
   if (k * this->BeginDepth > DeepWater)
   {
     // Where nothing within reach is felt by the wave, steps may be as long as that reach.
-    const double reach = 32.0 * feature;
     const glm::dvec2 here(this->Begin[X], this->Begin[Y]);
     const double highest = this->Medium.seafloor->highestElevation({ here - reach, here + reach });
     if (k * (this->Medium.waterLevel - highest) > DeepWater)
@@ -258,6 +284,7 @@ bool HamiltonianRay::step()
     this->BeginRate = this->EndRate;
     this->BeginTime += this->StepSize;
     this->BeginDepth = this->EndDepth;
+    this->BeginShare = this->EndShare;
     this->StepSize = 0.0;
     this->LastTheta = 0.0;
     this->ReadTheta = 0.0;
@@ -298,6 +325,10 @@ bool HamiltonianRay::step()
       continue;
     }
     this->StepSize = h;
+    if (this->Medium.current)
+    {
+      this->EndShare = speedShare(trial.end, trial.lastRate, trial.local.frequency);
+    }
     this->prepareDense(h, trial.end, trial.lastRate);
     this->End = trial.end;
     this->LastTheta = 1.0;
@@ -344,8 +375,11 @@ bool HamiltonianRay::step()
   this->WidthScale = std::max(this->WidthScale, std::hypot(trial.end[DX], trial.end[DY]));
   this->RateScale = std::max(this->RateScale, std::hypot(trial.end[DKx], trial.end[DKy]));
   const Frequency& f = trial.local.frequency;
-  const double drift =
-    (f.sigma / this->Medium.angularFrequency - 1.0) * f.sigma / (std::hypot(trial.end[Kx], trial.end[Ky]) * f.k);
+  double drift = (f.sigma + trial.local.doppler) / this->Medium.angularFrequency - 1.0;
+  if (!this->Medium.current)
+  {
+    drift *= f.sigma / (std::hypot(trial.end[Kx], trial.end[Ky]) * f.k); // of the wavenumber
+  }
   this->DispersionError = std::max(this->DispersionError, std::abs(drift));
   ++this->Steps;
   return true;
@@ -402,6 +436,13 @@ double HamiltonianRay::dense(double theta, std::size_t i) const
   const double rest = 1.0 - theta;
   return this->Begin[i] +
     theta * (this->Dense[0][i] + rest * (this->Dense[1][i] + theta * (this->Dense[2][i] + rest * this->Dense[3][i])));
+}
+
+double HamiltonianRay::denseRate(double theta, std::size_t i) const
+{
+  const double rest = 1.0 - theta;
+  return this->Dense[0][i] + this->Dense[1][i] * (1.0 - 2.0 * theta) + this->Dense[2][i] * theta * (2.0 - 3.0 * theta) +
+    this->Dense[3][i] * 2.0 * theta * rest * (1.0 - 2.0 * theta);
 }
 
 HamiltonianRay::State HamiltonianRay::dense(double theta) const
@@ -461,14 +502,7 @@ double HamiltonianRay::locateTarget(FrontMeasure measure, double target) const
   {
     const double miss = this->dense(theta, component) - target;
     (miss > 0.0 ? high : low) = theta;
-    const double d0 = this->Dense[0][component];
-    const double d1 = this->Dense[1][component];
-    const double d2 = this->Dense[2][component];
-    const double d3 = this->Dense[3][component];
-    const double rest = 1.0 - theta;
-    const double slope =
-      d0 + d1 * (1.0 - 2.0 * theta) + d2 * theta * (2.0 - 3.0 * theta) + d3 * 2.0 * theta * rest * (1.0 - 2.0 * theta);
-    const double newton = theta - miss / slope;
+    const double newton = theta - miss / this->denseRate(theta, component);
     const bool inside = newton >= low && newton <= high;
     const double next = inside ? newton : 0.5 * (low + high);
     if ((inside && std::abs(next - theta) < LastCorrection) || high - low < 1e-15)
@@ -524,7 +558,37 @@ HamiltonianRay::Event HamiltonianRay::findEvent() const
   }
 
   this->findLandOrHole(event);
+  this->findStop(event);
   return event;
+}
+
+void HamiltonianRay::findStop(Event& event) const
+{
+  if (!this->Medium.current || std::min(this->BeginShare, this->EndShare) > SafeShare)
+  {
+    return;
+  }
+  const auto stopped = [&](double theta)
+  {
+    const State y = this->dense(theta);
+    State rate;
+    Local local;
+    return evaluate(this->Medium, this->Region, this->DryDepth, y, rate, local) &&
+      speedShare(y, rate, local.frequency) < BlockedShare;
+  };
+  double before = 0.0;
+  for (const double part : { 0.25, 0.5, 0.75, 1.0 })
+  {
+    const double theta = part * event.theta;
+    if (stopped(theta))
+    {
+      event.kind = Happening::End;
+      event.reason = EndReason::BlockedByCurrent;
+      event.theta = this->locate(before, theta, stopped);
+      return;
+    }
+    before = theta;
+  }
 }
 
 void HamiltonianRay::findLandOrHole(Event& event) const
@@ -579,8 +643,10 @@ void HamiltonianRay::countCaustics(double from, double to, int& caustics, bool& 
   // Twice within a third of a step would need a lens far smaller than the steps resolve.
   for (const double theta : { from + (to - from) / 3.0, from + (to - from) * 2.0 / 3.0, to })
   {
-    const double width =
-      this->dense(theta, Kx) * this->dense(theta, DY) - this->dense(theta, Ky) * this->dense(theta, DX);
+    // The ray's way: along the wavenumber, unless a current carries it.
+    const double x = this->Medium.current ? this->denseRate(theta, X) : this->dense(theta, Kx);
+    const double y = this->Medium.current ? this->denseRate(theta, Y) : this->dense(theta, Ky);
+    const double width = x * this->dense(theta, DY) - y * this->dense(theta, DX);
     if (width != 0.0 && (width < 0.0) != negative)
     {
       negative = !negative;
@@ -601,7 +667,16 @@ void HamiltonianRay::describe(double theta, RayPoint& point)
   point.depth = this->Medium.waterLevel - bed.elevation;
   point.phase = y[Phase];
   point.travelTime = this->BeginTime + theta * this->StepSize;
-  point.tubeWidth = rayequations::tubeWidth(y);
+  if (this->Medium.current)
+  {
+    point.current = this->Medium.current->velocity(point.position);
+    Frequency frequency;
+    const double depth = std::max(point.depth, this->Medium.agroundDepth);
+    evaluateFrequency(std::hypot(y[Kx], y[Ky]), depth, this->Medium.gravity, frequency);
+    const glm::dvec2 speed = frequency.k * point.rayDirection + point.current;
+    point.rayDirection = speed / std::hypot(speed.x, speed.y);
+  }
+  point.tubeWidth = rayequations::tubeWidth(y, point.rayDirection);
   point.caustics = this->Caustics;
   if (this->StepSize > 0.0)
   {

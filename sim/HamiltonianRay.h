@@ -15,6 +15,10 @@ namespace swellray
  * tube jumps: with f the rates and nu the gradient of the kink's level,
  *   dk+ = dk- + (f+ - f-) (nu.dx) / (nu.dx/dt).
  *
+ * A ray ends, blocked by the current, where the energy moves along the wavenumber at less than 1 % of the group speed:
+ * k.dx/dt < 0.01 k Cg. (In deep water it comes to that where k is four times that of still water, Peregrine 1976,
+ * Adv. Appl. Mech. 16: at U = -C0/4 against the wave.) Past that point its phase would run back.
+ *
  * Errors of a step are measured in wavelengths (position), relative to |k| (wavenumber), in 2 pi
  * (phase) and relative to the largest value so far (tube).
  */
@@ -64,10 +68,12 @@ private:
   double longestStep() const;
   Event findEvent() const;
   void findLandOrHole(Event& event) const;
+  void findStop(Event& event) const;
   void crossKink(unsigned kink);
   void prepareDense(double h, const State& end, const State& lastRate);
   State dense(double theta) const;
   double dense(double theta, std::size_t component) const;
+  double denseRate(double theta, std::size_t component) const; // by theta
   glm::dvec2 densePosition(double theta) const;
   template <typename Sign>
   double locate(double low, double high, const Sign& outside) const;
@@ -89,6 +95,7 @@ private:
   State BeginRate{};
   double BeginTime = 0.0;
   double BeginDepth = 0.0;
+  double BeginShare = 1.0; // speed of the energy along the wavenumber over the group speed
   int Caustics = 0;
   bool Negative = false;
 
@@ -99,6 +106,7 @@ private:
   State End{};
   State EndRate{};
   double EndDepth = 0.0;
+  double EndShare = 1.0;
   bool Terminal = false;
   int KinkAhead = -1;
   std::array<State, 4> Dense{};

@@ -1,6 +1,7 @@
 #include "sim/LaunchLine.h"
 
 #include "sim/Angles.h"
+#include "sim/CurrentDispersion.h"
 #include "sim/Dispersion.h"
 
 #include <glm/geometric.hpp>
@@ -46,8 +47,9 @@ glm::dvec2 leftOf(const glm::dvec2& v)
 }
 
 LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
-  EdgeRule rule, std::optional<double> shoreNormal)
+  EdgeRule rule, std::optional<double> shoreNormal, const Current* current)
   : Floor(&seafloor)
+  , Flow(current)
   , WaterLevel(waterLevel)
   , Wave(wave)
   , Aground(aground)
@@ -130,6 +132,20 @@ LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const Incide
     this->Stretches.end());
 }
 
+std::optional<double> LaunchLine::solveAlong(
+  double depth, const glm::dvec2& along, double across, const glm::dvec2& velocity) const
+{
+  const double omega = this->Wave.angularFrequency();
+  const double gravity = this->Wave.gravity;
+  if (this->Flow)
+  {
+    return solveOnCurrent(omega, depth, gravity, along, across, velocity);
+  }
+  const double k = solveWavenumber(omega, depth, gravity);
+  const double square = k * k - across * across;
+  return square < Grazing * Grazing * k * k ? std::nullopt : std::optional<double>(std::sqrt(square));
+}
+
 LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
 {
   const glm::dvec2 p = side.corner + l * side.along;
@@ -137,44 +153,55 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   const double trueDepth = this->WaterLevel - bed.elevation;
   const bool water = trueDepth >= this->Aground && !this->Floor->isHole(p);
   const double depth = std::max(trueDepth, this->Aground);
-  const double gravity = this->Wave.gravity;
-  const double k = solveWavenumber(this->Wave.angularFrequency(), depth, gravity);
-  Frequency f;
-  evaluateFrequency(k, depth, gravity, f);
-  const double kAlong =
-    water ? f.h / f.k * glm::dot(bed.gradient, side.along) : 0.0; // dk/dl = -(sigma_h/sigma_k) dh/dl
-
-  const glm::dvec2 t0 = this->Wave.direction();
-  EdgeWave wave;
-  std::optional<glm::dvec2> normal = this->ContourNormal;
-  if (this->Rule == EdgeRule::Edge)
+  CurrentSample current;
+  if (this->Flow)
   {
-    normal = side.inward;
+    this->Flow->evaluate(p, current);
   }
-  double crestRatio = 1.0;
+
+  // Along this unit vector the wavenumber follows from the dispersion relation; across it, it is kept.
+  const glm::dvec2 t0 = this->Wave.direction();
+  glm::dvec2 along = t0;
+  double across = 0.0;
+  EdgeWave wave;
+  const std::optional<glm::dvec2> normal =
+    this->Rule == EdgeRule::Edge ? std::optional<glm::dvec2>(side.inward) : this->ContourNormal;
   if (normal)
   {
-    const glm::dvec2 tangent = leftOf(*normal);
-    const double k0 = this->Wave.wavenumber();
-    const double cosine0 = glm::dot(t0, *normal);
-    const double kTangent = k0 * glm::dot(t0, tangent);
-    const double square = k * k - kTangent * kTangent;
-    if (std::abs(cosine0) < Grazing || square < Grazing * Grazing * k * k ||
-      (this->Rule == EdgeRule::Edge && cosine0 < 0.0))
+    const double cosine = glm::dot(t0, *normal);
+    if (std::abs(cosine) < Grazing || (this->Rule == EdgeRule::Edge && cosine < 0.0))
     {
       return wave;
     }
-    const double kNormal = std::copysign(std::sqrt(square), cosine0);
-    wave.wavenumber = kTangent * tangent + kNormal * *normal;
-    wave.dWavenumber = *normal * (k * kAlong / kNormal);
-    crestRatio = cosine0 * k / kNormal;
+    along = *normal * std::copysign(1.0, cosine);
+    across = this->Wave.wavenumber() * glm::dot(t0, leftOf(along));
   }
-  else
+  const std::optional<double> kAlong = this->solveAlong(depth, along, across, current.velocity);
+  if (!kAlong)
   {
-    wave.wavenumber = k * t0;
-    wave.dWavenumber = kAlong * t0;
+    return wave;
   }
-  const double inward = glm::dot(wave.wavenumber, side.inward) / k;
+  wave.wavenumber = *kAlong * along + across * leftOf(along);
+  const double k = glm::length(wave.wavenumber);
+  Frequency f;
+  evaluateFrequency(k, depth, this->Wave.gravity, f);
+  const glm::dvec2 ray = f.k / k * wave.wavenumber + current.velocity;
+  const double speed = glm::length(ray);
+  const double forward = glm::dot(ray, along);
+  if (forward < Grazing * speed)
+  {
+    wave.wavenumber = glm::dvec2(0.0);
+    return wave;
+  }
+  if (water)
+  {
+    // d(sigma + k.U)/dl = 0
+    const glm::dvec2 slope = side.along.x * current.dx + side.along.y * current.dy;
+    const double change = glm::dot(wave.wavenumber, slope) - f.h * glm::dot(bed.gradient, side.along);
+    wave.dWavenumber = -change / forward * along;
+  }
+  const double inward = glm::dot(ray, side.inward) / speed;
+  const double crestRatio = normal ? glm::dot(t0, along) * speed / forward : 1.0;
   wave.enters = water && inward > Grazing;
   wave.density = wave.enters ? inward * crestRatio : 0.0;
   return wave;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/Current.h"
 #include "sim/IncidentWave.h"
 #include "sim/Seafloor.h"
 
@@ -41,7 +42,11 @@ struct LaunchPoint
  * k(h): exact on any straight beach, at its side edges too. Nothing comes in where k < |K| or where the wave
  * runs along the contours.
  *
- * The seafloor must outlive the line.
+ * With a current the rest follows from sigma(|k|, h) + k.U = omega, and t and theta are those of the ray, dx/dt = Cg
+ * k/|k| + U: lambda is then the wave action that comes in, per metre of crest offshore, where there is no current.
+ * Nothing comes in where the current stops the wave.
+ *
+ * The seafloor and the current must outlive the line.
  */
 class LaunchLine
 {
@@ -54,7 +59,7 @@ public:
    * @throws std::invalid_argument on a bad wave or depth
    */
   LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground, EdgeRule rule,
-    std::optional<double> shoreNormal = {});
+    std::optional<double> shoreNormal = {}, const Current* current = nullptr);
 
   /** Total length along the incident crest, m; 0 where the wave comes in nowhere over water. */
   double length() const { return this->Length; }
@@ -98,11 +103,14 @@ private:
   };
 
   EdgeWave edgeWave(const Side& side, double l) const;
+  std::optional<double> solveAlong(
+    double depth, const glm::dvec2& along, double across, const glm::dvec2& velocity) const;
   glm::dvec2 integrate(const Side& side, double from, double to) const;
   void walk(const Side& side, int index, bool& open, int& segment);
   void append(int index, int segment, double from, double to);
 
   const Seafloor* Floor;
+  const Current* Flow; // null: still water
   double WaterLevel;
   IncidentWave Wave;
   double Aground;

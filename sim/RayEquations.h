@@ -9,15 +9,16 @@ namespace swellray
 {
 
 /**
- * Hamiltonian ray equations of Omega(x, k) = sigma(|k|, h(x)) with their variational equations.
+ * Hamiltonian ray equations of Omega(x, k) = sigma(|k|, h(x)) + k.U(x) with their variational equations.
  *
- *   dx/dt = Cg k/|k|,   dk/dt = -sigma_h grad h                                              (1)
+ *   dx/dt = Cg k/|k| + U,   dk/dt = -sigma_h grad h - (grad U).k                             (1)
  *   d(dx)/dt =  Omega_kk dk + Omega_kx dx,   d(dk)/dt = -Omega_xx dx - Omega_xk dk           (2)
  *   dS/dt = k.dx/dt,   ds/dt = |dx/dt|                                                       (3)
  *
  * dx, dk: derivatives of position and wavenumber by the launch parameter at equal time. The signed width
- * of the ray tube is n.dx, n the left normal of the ray. Whitham (1974), Linear and Nonlinear Waves,
- * section 11.5; the variational system as in Cerveny (2001), Seismic Ray Theory, section 4.2.
+ * of the ray tube is n.dx, n the left normal of the ray, which on a current is not that of k. Whitham (1974),
+ * Linear and Nonlinear Waves, section 11.5; with a current Bretherton and Garrett (1968), Proc. R. Soc. A 302; the
+ * variational system as in Cerveny (2001), Seismic Ray Theory, section 4.2.
  */
 namespace rayequations
 {
@@ -45,7 +46,11 @@ struct Local
 {
   double depth = 0.0;
   Frequency frequency{};
+  double doppler = 0.0; ///< k.U, rad/s
 };
+
+/** Add what the current does to the rates of change. Apart, so that still water does not pay for it. */
+void addCurrent(const Current& current, const State& y, State& rate, Local& local);
 
 /**
  * Rates of change of the state by time.
@@ -92,13 +97,17 @@ inline bool evaluate(
 
   rate[Phase] = k * f.k;
   rate[Length] = f.k;
+  if (medium.current)
+  {
+    addCurrent(*medium.current, y, rate, local);
+  }
   return true;
 }
 
-/** Signed width of the ray tube: left normal of the ray times dx. */
-inline double tubeWidth(const State& y)
+/** Signed width of the ray tube: left normal of the ray, of the unit vector `direction`, times dx. */
+inline double tubeWidth(const State& y, const glm::dvec2& direction)
 {
-  return (y[Kx] * y[DY] - y[Ky] * y[DX]) / std::sqrt(y[Kx] * y[Kx] + y[Ky] * y[Ky]);
+  return direction.x * y[DY] - direction.y * y[DX];
 }
 
 }

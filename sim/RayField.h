@@ -46,6 +46,7 @@ struct RayPoint
   glm::dvec2 position{ 0.0 };     ///< m
   glm::dvec2 wavenumber{ 0.0 };   ///< vector, rad/m, along the direction the wave goes to
   glm::dvec2 rayDirection{ 0.0 }; ///< unit vector along the ray
+  glm::dvec2 current{ 0.0 };      ///< U, m/s; 0 along the shore, where a ray only follows the beach
   double depth = 0.0;             ///< m
   double phase = 0.0;             ///< S, rad
   double travelTime = 0.0;        ///< s since launch
@@ -65,7 +66,7 @@ struct RayInfo
   bool lee = false;               ///< a model of diffraction, not a refracted ray
   RayState finalState = RayState::Alive;
   EndReason endReason = EndReason::StepCap;
-  double dispersionError = 0.0; ///< largest ||k|/k(h) - 1| seen along the ray: a free check of the integration
+  double dispersionError = 0.0; ///< largest error of the dispersion relation along the ray (RayPath): a free check
 };
 
 /**

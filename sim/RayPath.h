@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/Current.h"
 #include "sim/RayField.h"
 #include "sim/Seafloor.h"
 
@@ -10,10 +11,11 @@ namespace swellray
 struct RayMedium
 {
   const Seafloor* seafloor = nullptr;
-  double waterLevel = 0.0;       ///< m, positive up
-  double gravity = 9.81;         ///< m/s2
-  double angularFrequency = 0.0; ///< rad/s
-  double agroundDepth = 0.1;     ///< a ray ends where it gets shallower than this, m, > 0
+  double waterLevel = 0.0;          ///< m, positive up
+  double gravity = 9.81;            ///< m/s2
+  double angularFrequency = 0.0;    ///< rad/s
+  double agroundDepth = 0.1;        ///< a ray ends where it gets shallower than this, m, > 0
+  const Current* current = nullptr; ///< none: still water
 
   double depth(const glm::dvec2& p) const { return waterLevel - seafloor->elevation(p); }
 };
@@ -61,7 +63,7 @@ public:
   EndReason endReason() const { return this->Reason; }
   /** Metres travelled at the point last described. */
   double length() const { return this->ReadLength; }
-  /** Largest ||k|/k(h) - 1| seen. */
+  /** Largest ||k|/k(h) - 1| seen; on a current |(sigma + k.U)/omega - 1|. */
   double dispersionError() const { return this->DispersionError; }
   /** Evaluations of the ray equations so far. */
   std::size_t evaluations() const { return this->Evaluations; }

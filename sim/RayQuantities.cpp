@@ -34,6 +34,17 @@ void putVector(double* array, std::size_t i, const glm::dvec2& v, double z)
 
 }
 
+double shoalingCoefficient(const RayPoint& point, const WaveSpeeds& speeds, double groupSpeedOffshore, double omega)
+{
+  if (point.current == glm::dvec2(0.0))
+  {
+    return shoalingCoefficient(groupSpeedOffshore, speeds.groupSpeed); // sigma is omega
+  }
+  const double k = glm::length(point.wavenumber);
+  const double raySpeed = glm::length(speeds.groupSpeed / k * point.wavenumber + point.current);
+  return std::sqrt(speeds.phaseSpeed * k * groupSpeedOffshore / (omega * raySpeed));
+}
+
 double refractionCoefficient(double widthRatio)
 {
   return 1.0 / std::sqrt(std::abs(widthRatio));
@@ -44,6 +55,7 @@ void computeRayQuantities(const RayField& field, const IncidentWave& wave, doubl
 {
   wave.validate();
   const double groupSpeedOffshore = wave.groupSpeed();
+  const double omega = wave.angularFrequency();
   execution.forRange(field.points.size(),
     [&](std::size_t begin, std::size_t end)
     {
@@ -55,6 +67,7 @@ void computeRayQuantities(const RayField& field, const IncidentWave& wave, doubl
         putVector(quantities.position, i, point.position, waterLevel);
         putVector(quantities.direction, i, point.wavenumber / k, 0.0);
         putVector(quantities.rayDirection, i, point.rayDirection, 0.0);
+        putVector(quantities.current, i, point.current, 0.0);
         put(quantities.depth, i, point.depth);
         put(quantities.phase, i, point.phase);
         put(quantities.travelTime, i, point.travelTime);
@@ -66,7 +79,7 @@ void computeRayQuantities(const RayField& field, const IncidentWave& wave, doubl
         put(quantities.krSpacing, i, refractionCoefficient(point.spacingWidth));
         put(quantities.krTube, i, refractionCoefficient(point.tubeWidth));
         put(quantities.tubeWidth, i, point.tubeWidth);
-        put(quantities.shoaling, i, shoalingCoefficient(groupSpeedOffshore, speeds.groupSpeed));
+        put(quantities.shoaling, i, shoalingCoefficient(point, speeds, groupSpeedOffshore, omega));
         put(quantities.caustics, i, point.caustics);
         put(quantities.state, i, static_cast<std::uint8_t>(point.state));
       }

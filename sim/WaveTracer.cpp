@@ -46,6 +46,24 @@ void requirePositive(const char* name, double value, const char* unit)
   }
 }
 
+std::string extent(const Rectangle& box)
+{
+  return "x " + shortNumber(box.low.x) + " to " + shortNumber(box.high.x) + " m, y " + shortNumber(box.low.y) + " to " +
+    shortNumber(box.high.y) + " m";
+}
+
+// Nothing is known of the water beyond a current's data, least of all that it stands still.
+void requireCover(const Current& current, const Rectangle& scene)
+{
+  const Rectangle known = current.bounds();
+  const glm::dvec2 rounding = scene.size() * 1e-9;
+  if (!known.contains(scene.low + rounding) || !known.contains(scene.high - rounding))
+  {
+    throw std::runtime_error("the current covers " + extent(known) + " and the scene " + extent(scene) +
+      ": it must cover all of the scene (outside it is not taken as 0); crop the seafloor");
+  }
+}
+
 }
 
 void TraceOptions::validate() const
@@ -87,6 +105,10 @@ void TraceOptions::validate() const
   {
     throw std::invalid_argument("shore normal must be a finite number of degrees");
   }
+  if (this->current && this->scheme == TraceScheme::Snell)
+  {
+    throw std::invalid_argument("the snell scheme knows no current: take the ode scheme, or no current");
+  }
   if (this->maxRays == 0 || this->maxFronts == 0 || this->maxPoints == 0)
   {
     throw std::invalid_argument("the caps on rays, fronts and points must be above 0");
@@ -111,7 +133,13 @@ RayField traceWaves(
   medium.gravity = wave.gravity;
   medium.angularFrequency = wave.angularFrequency();
   medium.agroundDepth = options.agroundDepth.value_or(AgroundShare * wave.height);
-  const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal);
+  medium.current = options.current;
+  if (medium.current)
+  {
+    requireCover(*medium.current, seafloor.bounds());
+  }
+  const LaunchLine line(
+    seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal, options.current);
   if (!(line.length() > 0.0))
   {
     throw std::runtime_error("a wave from " + number(wave.directionFrom) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/Current.h"
 #include "sim/Execution.h"
 #include "sim/IncidentWave.h"
 #include "sim/LaunchLine.h"
@@ -39,6 +40,7 @@ struct TraceOptions
   std::optional<double> agroundDepth; ///< depth at which a ray is aground, m, > 0; 5 % of the incident height
   EdgeRule edge = EdgeRule::Contours;
   std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours
+  const Current* current = nullptr;  ///< must outlive the trace; none: still water
   std::size_t maxRays = 200000;
   std::size_t maxFronts = 100000;
   std::size_t maxPoints = 40000000; ///< in all rays together: some gigabytes
@@ -52,7 +54,8 @@ struct TraceOptions
  * all rays advance together from front to front.
  *
  * The result is ordered by ray and identical for any loop in `execution`.
- * @throws std::invalid_argument bad wave or option; std::runtime_error where the wave comes in nowhere over water
+ * @throws std::invalid_argument bad wave or option; std::runtime_error where the wave comes in nowhere over water, or
+ *   the current does not cover the seafloor
  */
 RayField traceWaves(
   const Seafloor& seafloor, const IncidentWave& wave, const TraceOptions& options, const Execution& execution = {});

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace swellray
 {
@@ -45,8 +46,9 @@ std::string formatNumber(double value)
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
-FormValues::FormValues(const FormDescription& form, const std::string& keys)
+FormValues::FormValues(const FormDescription& form, const std::string& keys, std::string subject)
   : Form(form)
+  , Subject(std::move(subject))
 {
   for (const FormKey& each : form.keys)
   {
@@ -70,7 +72,7 @@ FormValues::FormValues(const FormDescription& form, const std::string& keys)
 
 void FormValues::fail(const std::string& message) const
 {
-  throw std::invalid_argument("built-in seafloor '" + this->Form.name + "': " + message);
+  throw std::invalid_argument("built-in " + this->Subject + " '" + this->Form.name + "': " + message);
 }
 
 const FormKey& FormValues::key(const std::string& nameOrSymbol) const

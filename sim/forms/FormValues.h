@@ -16,9 +16,10 @@ public:
   /**
    * @param form must outlive the values
    * @param keys `key=value,...`, may be empty
+   * @param subject what the form is, in messages
    * @throws std::invalid_argument as makeBuiltinSeafloor
    */
-  FormValues(const FormDescription& form, const std::string& keys);
+  FormValues(const FormDescription& form, const std::string& keys, std::string subject = "seafloor");
 
   /** Value of a number. */
   double operator[](const std::string& name) const;
@@ -50,6 +51,7 @@ private:
   Rectangle checked(const Rectangle& box) const;
 
   const FormDescription& Form;
+  std::string Subject;
   std::map<std::string, double> Numbers;
   std::map<std::string, std::string> Words;
   std::map<std::string, std::string> Given; // key name, the item it came with
