@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -27,6 +28,9 @@ const NumberRule NonNegativeNumber{ "", 0.0 };
 
 // A tolerance beyond these either cannot be met in double precision or says nothing.
 const NumberRule Tolerance{ "", 1e-14, 1e-2 };
+
+// Enough for any case to notice.
+const NumberRule Perturbation{ "", -0.5, 0.5 };
 
 template <typename Target>
 OptionSpec number(const char* name, const char* value, const char* help, const char* standard, const char* group,
@@ -271,19 +275,37 @@ CommandSpec contourSpec(Request& request)
   return spec;
 }
 
+std::vector<OptionSpec> mapOptions(MapRequest& map)
+{
+  const char* group = "Maps and stations";
+  return { number("--map-spacing", "M", "distance of the nodes of the map, m", "that of the seafloor", group,
+             map.spacing, PositiveMetres),
+    choice("--combine", "waves of rays that cross: add their energies, or let them interfere", "energy", group,
+      map.combine,
+      std::vector<std::pair<std::string, CombineRule>>{
+        { "energy", CombineRule::Energy }, { "phase", CombineRule::Phase } }) };
+}
+
 CommandSpec traceSpec(Request& request)
 {
   CommandSpec spec{ Command::Trace, "trace", "trace wave rays over a seafloor: states, directions, heights", true, {},
     {} };
   spec.options = { outputFile("-o,--output", "rays, .vtp", request.output.file, { ".vtp" }),
     outputFile("--crests", "crest lines, .vtp", request.output.crests, { ".vtp" }),
+    outputFile("--map", "wave heights and directions on a grid, .vti, .nc or .tif", request.output.map,
+      { ".vti", ".nc", ".tif" }),
+    text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
+    outputFile("--table", "waves at the stations, .csv", request.output.table, { ".csv" }),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
   add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
   add(spec.options, tracingOptions(request.rays.trace));
   add(spec.options, heightOptions(request.rays));
+  add(spec.options, mapOptions(request.map));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples =
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp --crests crests.vtp\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --map heights.nc --map-spacing 25\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --table waves.csv\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
     "rays.vtp\n";
@@ -324,6 +346,74 @@ CommandSpec renderSpec(Request& request)
   return spec;
 }
 
+void checkOutputs(const Request& request)
+{
+  const OutputRequest& output = request.output;
+  if (output.table.empty() != request.map.stations.empty())
+  {
+    throw UsageError("--stations and --table belong together; give both");
+  }
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& file : { std::make_pair("--output", output.file), std::make_pair("--crests", output.crests),
+         std::make_pair("--map", output.map), std::make_pair("--table", output.table) })
+  {
+    for (const auto& other : files)
+    {
+      if (!file.second.empty() && sameFile(other.second, file.second))
+      {
+        throw UsageError(fmt::format("{} and {} name the same file; give two", other.first, file.first));
+      }
+    }
+    if (!file.second.empty())
+    {
+      files.emplace_back(file);
+    }
+  }
+  if (request.command == Command::Trace && files.empty())
+  {
+    throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp, --map FILE or --table FILE.csv");
+  }
+  if (request.map.spacing && output.map.empty())
+  {
+    throw UsageError("--map-spacing needs --map FILE");
+  }
+}
+
+CommandSpec validateSpec(Request& request)
+{
+  CommandSpec spec{ Command::Validate, "validate", "compute the cases with known answers and say how far off they are",
+    false, {}, {} };
+  ValidateRequest& validate = request.validate;
+  const char* group = "Cases";
+  OptionSpec names{ "--case", "NAME", "only cases whose names begin so; may be given several times", "all", group,
+    false, {} };
+  names.repeatable = true;
+  names.set = [&validate](const std::string& typed)
+  {
+    for (std::size_t from = 0; from <= typed.size();)
+    {
+      const std::size_t comma = std::min(typed.find(',', from), typed.size());
+      if (comma == from)
+      {
+        throw UsageError("--case needs the name of a case, or its beginning; see 'swellray validate --list'");
+      }
+      validate.cases.push_back(typed.substr(from, comma - from));
+      from = comma + 1;
+    }
+  };
+  spec.options = { names, flag("--list", "name the cases and stop", group, validate.list),
+    flag("--quick", "leave out what takes long: under one minute", group, validate.quick),
+    number("--perturb", "E", "make gravity wrong by this share, to check the checker: cases must fail", "0", group,
+      validate.perturb, Perturbation),
+    text("--report", "DIR", "write index.html, a picture and the numbers of each case to this folder", "", "Output",
+      validate.report) };
+  spec.examples = "  swellray validate\n"
+                  "  swellray validate --quick --report report\n"
+                  "  swellray validate --case c2_plane --case c4_shoal_gauss\n"
+                  "  swellray validate --quick --perturb 1e-3     # must fail: exit code 1\n";
+  return spec;
+}
+
 }
 
 std::string OptionSpec::longName() const
@@ -334,7 +424,8 @@ std::string OptionSpec::longName() const
 
 std::vector<CommandSpec> commandSpecs(Request& request)
 {
-  return { infoSpec(request), contourSpec(request), traceSpec(request), renderSpec(request), listSpec() };
+  return { infoSpec(request), contourSpec(request), traceSpec(request), renderSpec(request), validateSpec(request),
+    listSpec() };
 }
 
 std::vector<OptionSpec> commonOptions(Request& request)
@@ -377,15 +468,7 @@ void checkTogether(Request& request)
     throw UsageError(fmt::format(
       "--max-spacing must be at least --spacing, {:g} metres, not {:g}", *rays.trace.spacing, *rays.trace.maxSpacing));
   }
-  if (request.command == Command::Trace && request.output.file.empty() && request.output.crests.empty())
-  {
-    throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp or both");
-  }
-  if (!request.output.file.empty() && !request.output.crests.empty() &&
-    sameFile(request.output.file, request.output.crests))
-  {
-    throw UsageError("--output and --crests name the same file; give two");
-  }
+  checkOutputs(request);
   if (request.command == Command::Render)
   {
     if (rays.wanted && !request.render.rays.empty())

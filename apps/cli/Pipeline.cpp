@@ -224,7 +224,8 @@ vtkPolyData* Pipeline::makeCrests(vtkPolyData* rays)
 std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
-  for (const std::string& file : { request.seafloor.source, request.render.rays, request.render.crests })
+  for (const std::string& file :
+    { request.seafloor.source, request.render.rays, request.render.crests, request.map.stations })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))
@@ -235,12 +236,12 @@ std::vector<std::string> inputFiles(const Request& request)
   return files;
 }
 
-void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console)
+void writeXml(
+  vtkXMLWriter* writer, vtkDataObject* data, const OutputFile& file, const Request& request, Console& console)
 {
-  setFieldText(lines, "CommandLine", request.commandLine);
-  setFieldText(lines, "SwellrayVersion", SWELLRAY_VERSION);
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writer->SetInputData(lines);
+  setFieldText(data, "CommandLine", request.commandLine);
+  setFieldText(data, "SwellrayVersion", SWELLRAY_VERSION);
+  writer->SetInputData(data);
   writer->SetFileName(file.temporary().c_str());
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
@@ -273,6 +274,12 @@ void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& reque
   {
     file.fail(reason.empty() ? "the file is not complete" : reason);
   }
+}
+
+void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writeXml(writer, lines, file, request, console);
 }
 
 vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console)

@@ -14,7 +14,9 @@
 
 #include <memory>
 
+class vtkDataObject;
 class vtkPolyData;
+class vtkXMLWriter;
 
 namespace swellray::cli
 {
@@ -54,6 +56,10 @@ private:
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */
 std::vector<std::string> inputFiles(const Request& request);
+
+/** Write data to the file's hidden name, with the command line and the version. @throws WorkError */
+void writeXml(
+  vtkXMLWriter* writer, vtkDataObject* data, const OutputFile& file, const Request& request, Console& console);
 
 /** Write lines to the file's hidden name, with the command line and the version. @throws WorkError */
 void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console);

@@ -2,6 +2,7 @@
 
 #include "bathymetry/SeafloorOptions.h"
 #include "sim/IncidentWave.h"
+#include "sim/RayMap.h"
 #include "sim/WaveHeight.h"
 #include "sim/WaveTracer.h"
 
@@ -20,6 +21,7 @@ enum class Command
   Trace,
   List,
   Render,
+  Validate,
 };
 
 /** The seafloor and how to read it. */
@@ -48,6 +50,14 @@ struct RayRequest
   std::optional<double> maxRefraction; ///< the cap where one was given
 };
 
+/** Where waves are asked for: on a map, and at stations. */
+struct MapRequest
+{
+  std::optional<double> spacing; ///< of the nodes, m; none: those of the seafloor
+  CombineRule combine = CombineRule::Energy;
+  std::string stations; ///< file of points; empty: none
+};
+
 /** In place of a file of crest lines: make them from the rays that are drawn. */
 constexpr const char* CrestsFromRays = "auto";
 
@@ -61,11 +71,23 @@ struct RenderRequest
   std::string title;                      ///< empty: name of the seafloor
 };
 
+/** Which cases of known answer are run. */
+struct ValidateRequest
+{
+  std::vector<std::string> cases; ///< names or their beginnings; empty: all
+  bool list = false;
+  bool quick = false;
+  std::string report;   ///< folder; empty: none
+  double perturb = 0.0; ///< share by which gravity is made wrong
+};
+
 /** Files to write; empty: not asked for. */
 struct OutputRequest
 {
   std::string file;
   std::string crests;
+  std::string map;
+  std::string table; ///< waves at the stations
   bool compress = false;
 };
 
@@ -76,7 +98,9 @@ struct Request
   SeafloorRequest seafloor;
   ContourRequest contour;
   RayRequest rays;
+  MapRequest map;
   RenderRequest render;
+  ValidateRequest validate;
   OutputRequest output;
   bool json = false;
   bool quiet = false;

@@ -1,13 +1,16 @@
 #include "Commands.h"
 
 #include "FieldValues.h"
+#include "MapOutput.h"
 #include "Pipeline.h"
+#include "StationTable.h"
 
 #include "sim/RayField.h"
 
 #include <fmt/format.h>
 
 #include <vtkCellData.h>
+#include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 
@@ -16,6 +19,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace swellray::cli
 {
@@ -148,21 +152,24 @@ void sayDefaults(vtkPolyData* rays, const Request& request, const Console& conso
 
 void runTrace(const Request& request, Console& console)
 {
+  // Every file is opened, and the stations are read, before the work that they wait for.
   const std::vector<std::string> inputs = inputFiles(request);
-  std::unique_ptr<OutputFile> raysFile;
-  std::unique_ptr<OutputFile> crestsFile;
-  if (!request.output.file.empty())
+  std::vector<std::unique_ptr<OutputFile>> files;
+  const auto open = [&](const std::string& path) -> const OutputFile*
+  { return path.empty() ? nullptr : files.emplace_back(std::make_unique<OutputFile>(path, inputs)).get(); };
+  const OutputFile* const raysFile = open(request.output.file);
+  const OutputFile* const crestsFile = open(request.output.crests);
+  const OutputFile* const mapFile = open(request.output.map);
+  const OutputFile* const tableFile = open(request.output.table);
+  std::optional<StationTable> stations;
+  if (tableFile)
   {
-    raysFile = std::make_unique<OutputFile>(request.output.file, inputs);
-  }
-  if (!request.output.crests.empty())
-  {
-    crestsFile = std::make_unique<OutputFile>(request.output.crests, inputs);
+    stations.emplace(request.map.stations);
   }
 
   Pipeline pipeline(request, console);
   const Stopwatch reading;
-  pipeline.readSeafloor();
+  vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
   const double readSeconds = reading.seconds();
   const Stopwatch tracing;
   sayDefaults(pipeline.traceRays(), request, console);
@@ -178,12 +185,17 @@ void runTrace(const Request& request, Console& console)
   {
     writeLines(pipeline.makeCrests(), *crestsFile, request, console);
   }
-  for (OutputFile* file : { raysFile.get(), crestsFile.get() })
+  if (mapFile)
   {
-    if (file)
-    {
-      file->commit();
-    }
+    writeMap(rays, seafloor, *mapFile, request, console);
+  }
+  if (tableFile)
+  {
+    stations->write(rays, seafloor, *tableFile, request, console);
+  }
+  for (const auto& file : files)
+  {
+    file->commit();
   }
 
   sayRays(rays, console);
@@ -192,15 +204,12 @@ void runTrace(const Request& request, Console& console)
     "time     {:.2f} s to read, {:.2f} s to trace, {:.2f} s to write", readSeconds, traceSeconds, writing.seconds()));
   std::string written;
   std::string names;
-  for (const OutputFile* file : { raysFile.get(), crestsFile.get() })
+  for (const auto& file : files)
   {
-    if (file)
-    {
-      written += (written.empty() ? "" : " and ") + file->path();
-      names += " " + file->path();
-    }
+    written += (written.empty() ? "" : " and ") + file->path();
+    names += file.get() == tableFile ? "" : " " + file->path();
   }
-  console.say(fmt::format("wrote    {}; open with: paraview{}", written, names));
+  console.say(fmt::format("wrote    {}{}", written, names.empty() ? "" : "; open with: paraview" + names));
 }
 
 }

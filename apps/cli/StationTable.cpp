@@ -1,0 +1,209 @@
+#include "StationTable.h"
+
+#include "Console.h"
+#include "Failure.h"
+#include "FieldValues.h"
+#include "FilterRun.h"
+
+#include <fmt/format.h>
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSwellStations.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+constexpr const char* Columns[] = { "Elevation", "Depth", "WaveHeight", "DirectionFrom", "Wavelength", "Breaking",
+  "LeeRay", "RayCount" };
+
+// Columns that are whole numbers, and empty where there is no wave.
+bool isWhole(const std::string& name)
+{
+  return name == "Breaking" || name == "LeeRay" || name == "RayCount";
+}
+
+std::string trimmed(const std::string& text)
+{
+  const auto first = text.find_first_not_of(" \t\r");
+  const auto last = text.find_last_not_of(" \t\r");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+// The fields of a line, without the quotes around them.
+std::vector<std::string> fieldsOf(const std::string& line)
+{
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i)
+  {
+    if (line[i] == '"')
+    {
+      const bool doubled = quoted && i + 1 < line.size() && line[i + 1] == '"';
+      quoted = doubled ? quoted : !quoted;
+      i += doubled ? 1 : 0;
+      if (doubled)
+      {
+        fields.back() += '"';
+      }
+    }
+    else if (line[i] == ',' && !quoted)
+    {
+      fields.emplace_back();
+    }
+    else
+    {
+      fields.back() += line[i];
+    }
+  }
+  std::transform(fields.begin(), fields.end(), fields.begin(), trimmed);
+  return fields;
+}
+
+bool parse(const std::string& text, double& value)
+{
+  const char* begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  return error == std::errc() && stop == end && std::isfinite(value);
+}
+
+}
+
+StationTable::StationTable(const std::string& path)
+  : Path(path)
+{
+  std::ifstream file(path);
+  if (!file)
+  {
+    throw WorkError(fmt::format("cannot read '{}': no such file, or it may not be read", path));
+  }
+  std::string line;
+  std::size_t columns = 0;
+  for (std::size_t number = 1; std::getline(file, line); ++number)
+  {
+    if (number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
+    {
+      line.erase(0, 3);
+    }
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#')
+    {
+      continue;
+    }
+    const std::vector<std::string> fields = fieldsOf(line);
+    Station station;
+    station.line = line;
+    station.number = number;
+    const bool isX = parse(fields[0], station.x);
+    const bool isPoint = fields.size() >= 2 && isX && parse(fields[1], station.y);
+    const bool first = columns == 0;
+    columns = first ? fields.size() : columns;
+    if (!isPoint && first && fields.size() >= 2 && !isX && !parse(fields[1], station.y))
+    {
+      this->Heading = line;
+      continue;
+    }
+    if (!isPoint)
+    {
+      throw WorkError(fmt::format(
+        "'{}' line {}: '{}' is no point; a line begins with two numbers, x,y or lon,lat", path, number, line));
+    }
+    if (fields.size() != columns)
+    {
+      throw WorkError(
+        fmt::format("'{}' line {} has {} columns, the first one has {}", path, number, fields.size(), columns));
+    }
+    this->Stations.push_back(station);
+  }
+  if (this->Stations.empty())
+  {
+    throw WorkError(fmt::format("'{}' has no points", path));
+  }
+  if (this->Heading.empty())
+  {
+    this->Heading = "x,y";
+    for (std::size_t column = 3; column <= columns; ++column)
+    {
+      this->Heading += fmt::format(",column{}", column);
+    }
+  }
+}
+
+void StationTable::write(
+  vtkPolyData* rays, vtkImageData* seafloor, const OutputFile& file, const Request& request, Console& console) const
+{
+  const Georeference georeference = georeferenceOf(seafloor);
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const Station& station : this->Stations)
+  {
+    if (georeference.kind() == GeoreferenceKind::Geographic && !(std::abs(station.y) <= 90.0))
+    {
+      throw WorkError(fmt::format("'{}' line {}: latitude {:g} is not within -90 to 90; the columns are lon,lat",
+        this->Path, station.number, station.y));
+    }
+    const glm::dvec2 place = georeference.fromFile({ station.x, station.y });
+    points->InsertNextPoint(place.x, place.y, 0.0);
+  }
+  vtkNew<vtkPolyData> stations;
+  stations->SetPoints(points);
+  vtkNew<vtkSwellStations> filter;
+  filter->SetInputData(0, rays);
+  filter->SetInputData(1, seafloor);
+  filter->SetInputData(2, stations);
+  filter->SetWaterLevel(request.seafloor.options.waterLevel);
+  filter->SetCombineRule(
+    request.map.combine == CombineRule::Phase ? vtkSwellStations::PHASE : vtkSwellStations::ENERGY);
+  runFilter(filter, "stations", console);
+
+  vtkPointData* values = filter->GetOutput()->GetPointData();
+  std::ofstream table(file.temporary(), std::ios::trunc);
+  table << this->Heading;
+  for (const char* name : Columns)
+  {
+    table << ',' << name;
+  }
+  table << '\n';
+  vtkDataArray* count = values->GetArray("RayCount");
+  vtkIdType without = 0;
+  for (std::size_t i = 0; i < this->Stations.size(); ++i)
+  {
+    const auto tuple = static_cast<vtkIdType>(i);
+    const bool reached = count->GetComponent(tuple, 0) > 0.0;
+    without += reached ? 0 : 1;
+    table << this->Stations[i].line;
+    for (const char* name : Columns)
+    {
+      const double value = values->GetArray(name)->GetComponent(tuple, 0);
+      const bool known = std::isfinite(value) && (reached || !isWhole(name) || std::string(name) == "RayCount");
+      table << ',' << (known ? fmt::format("{:.10g}", value) : "");
+    }
+    table << '\n';
+  }
+  table.close();
+  if (!table)
+  {
+    file.fail("the disk is full, or files may not get so large");
+  }
+  console.say(fmt::format("stations {} points", this->Stations.size()));
+  if (without > 0)
+  {
+    console.warn(fmt::format(
+      "no ray came to {} of {} points of '{}': their fields are empty", without, this->Stations.size(), this->Path));
+  }
+}
+
+}
