@@ -106,8 +106,9 @@ pid_t startServer()
     dup2(nothing, STDIN_FILENO);
     dup2(nothing, STDOUT_FILENO);
     dup2(nothing, STDERR_FILENO);
+    // Without -noreset the server starts afresh whenever its last client leaves, and refuses the next one meanwhile.
     execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
-      static_cast<char*>(nullptr));
+      "-noreset", static_cast<char*>(nullptr));
     _exit(127);
   }
   close(ends[1]);
