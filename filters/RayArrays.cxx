@@ -1,5 +1,7 @@
 #include "RayArrays.h"
 
+#include "FieldData.h"
+
 #include <vtkCellArray.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -17,13 +19,13 @@ namespace
 {
 
 template <typename Array>
-vtkSmartPointer<Array> require(vtkFieldData* attributes, const char* name, vtkIdType n)
+vtkSmartPointer<Array> require(vtkFieldData* attributes, const char* name, vtkIdType n, int components = 1)
 {
   vtkDataArray* found = attributes->GetArray(name);
-  if (!found || found->GetNumberOfComponents() != 1 || found->GetNumberOfTuples() != n)
+  if (!found || found->GetNumberOfComponents() != components || found->GetNumberOfTuples() != n)
   {
-    throw std::invalid_argument(
-      std::string("the input has no array ") + name + " of one component; give it the output of vtkSwellRayTracer");
+    throw std::invalid_argument(std::string("the input has no array ") + name + " of " +
+      (components == 1 ? "one component" : "three components") + "; give it the output of vtkSwellRayTracer");
   }
   if (Array* typed = Array::SafeDownCast(found))
   {
@@ -36,9 +38,9 @@ vtkSmartPointer<Array> require(vtkFieldData* attributes, const char* name, vtkId
 
 }
 
-vtkSmartPointer<vtkDoubleArray> requireDoubles(vtkFieldData* attributes, const char* name, vtkIdType n)
+vtkSmartPointer<vtkDoubleArray> requireDoubles(vtkFieldData* attributes, const char* name, vtkIdType n, int components)
 {
-  return require<vtkDoubleArray>(attributes, name, n);
+  return require<vtkDoubleArray>(attributes, name, n, components);
 }
 
 vtkSmartPointer<vtkIntArray> requireIntegers(vtkFieldData* attributes, const char* name, vtkIdType n)
@@ -49,6 +51,18 @@ vtkSmartPointer<vtkIntArray> requireIntegers(vtkFieldData* attributes, const cha
 vtkSmartPointer<vtkUnsignedCharArray> requireBytes(vtkFieldData* attributes, const char* name, vtkIdType n)
 {
   return require<vtkUnsignedCharArray>(attributes, name, n);
+}
+
+IncidentWave tracedWave(vtkPolyData* rays)
+{
+  const char* tracer = "vtkSwellRayTracer";
+  IncidentWave wave;
+  wave.period = requireFieldValue(rays, "Period", tracer);
+  wave.directionFrom = requireFieldValue(rays, "DirectionFrom", tracer);
+  wave.height = requireFieldValue(rays, "WaveHeight", tracer);
+  wave.offshoreDepth = requireFieldValue(rays, "OffshoreDepth", tracer);
+  wave.gravity = requireFieldValue(rays, "Gravity", tracer);
+  return wave;
 }
 
 vtkSmartPointer<vtkDoubleArray> positionsOf(vtkPolyData* rays)

@@ -1,6 +1,8 @@
 #ifndef RayArrays_h
 #define RayArrays_h
 
+#include "sim/IncidentWave.h"
+
 #include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkIntArray.h>
@@ -31,16 +33,23 @@ auto* addArray(vtkFieldData* attributes, const char* name, vtkIdType n, int comp
 }
 
 /**
- * Array of numbers of this name as doubles, one a tuple; shared, not copied, where it holds doubles.
- * @throws std::invalid_argument where there is none with n tuples of one component
+ * Array of numbers of this name as doubles; shared, not copied, where it holds doubles.
+ * @throws std::invalid_argument where there is none with n tuples of so many components
  */
-vtkSmartPointer<vtkDoubleArray> requireDoubles(vtkFieldData* attributes, const char* name, vtkIdType n);
+vtkSmartPointer<vtkDoubleArray> requireDoubles(
+  vtkFieldData* attributes, const char* name, vtkIdType n, int components = 1);
 
-/** The same as integers. */
+/** The same, one a tuple, as integers. */
 vtkSmartPointer<vtkIntArray> requireIntegers(vtkFieldData* attributes, const char* name, vtkIdType n);
 
-/** The same as bytes. */
+/** The same, one a tuple, as bytes. */
 vtkSmartPointer<vtkUnsignedCharArray> requireBytes(vtkFieldData* attributes, const char* name, vtkIdType n);
+
+/**
+ * The wave that was traced, from the field data of the rays.
+ * @throws std::invalid_argument where one is missing
+ */
+IncidentWave tracedWave(vtkPolyData* rays);
 
 /** Positions of the points as doubles, x, y, z a point; shared, not copied, where they are doubles. */
 vtkSmartPointer<vtkDoubleArray> positionsOf(vtkPolyData* rays);

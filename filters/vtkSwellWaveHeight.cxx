@@ -22,18 +22,6 @@ namespace
 // Rays between two looks at the abort flag.
 constexpr std::size_t RaysAtOnce = 4096;
 
-swellray::IncidentWave tracedWave(vtkPolyData* rays)
-{
-  const char* tracer = "vtkSwellRayTracer";
-  swellray::IncidentWave wave;
-  wave.period = swellray::requireFieldValue(rays, "Period", tracer);
-  wave.directionFrom = swellray::requireFieldValue(rays, "DirectionFrom", tracer);
-  wave.height = swellray::requireFieldValue(rays, "WaveHeight", tracer);
-  wave.offshoreDepth = swellray::requireFieldValue(rays, "OffshoreDepth", tracer);
-  wave.gravity = swellray::requireFieldValue(rays, "Gravity", tracer);
-  return wave;
-}
-
 }
 
 int vtkSwellWaveHeight::RequestData(
@@ -43,7 +31,7 @@ int vtkSwellWaveHeight::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   try
   {
-    const swellray::IncidentWave wave = tracedWave(input);
+    const swellray::IncidentWave wave = swellray::tracedWave(input);
     wave.validate();
     swellray::HeightOptions options;
     options.amplitude = static_cast<swellray::AmplitudeRule>(this->AmplitudeRule);

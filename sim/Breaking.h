@@ -39,7 +39,7 @@ enum class BreakerType : std::uint8_t
 /**
  * Largest height on a slope m: Hb/hb = b - a Hb/(g T^2) with a = 43.75 (1 - exp(-19 m)), b = 1.56/(1 + exp(-19.5 m)).
  *
- * Weggel 1972, Maximum breaker height, J. Waterways, Harbors and Coastal Eng. Div. 98 (WW4), eqs. 6 to 8, fitted to
+ * Weggel 1972, Maximum breaker height, J. Waterways, Harbors and Coastal Eng. Div. 98 (WW4), fitted to
  * slopes up to 0.1; a slope outside of 0 to 0.1 is taken as the nearer of these.
  */
 double weggelHeight(double depth, double slope, double period, double gravity);
@@ -49,24 +49,24 @@ double micheHeight(double wavenumber, double depth);
 
 /**
  * Largest height of a random wave, Hm = (0.88/k) tanh(gamma k h/0.88); gamma h in shallow water.
- * Battjes and Janssen 1978, Energy loss and set-up due to breaking of random waves, Proc. 16th ICCE, eq. 4.
+ * Battjes and Janssen 1978, Energy loss and set-up due to breaking of random waves, Proc. 16th ICCE.
  */
 double randomWaveLimit(double wavenumber, double depth, double gamma);
 
 /**
  * gamma = 0.5 + 0.4 tanh(33 s) of the deep-water steepness s = Hrms/L0. Battjes and Stive 1985, Calibration and
- * verification of a dissipation model for random breaking waves, J. Geophys. Res. 90, eq. 9.
+ * verification of a dissipation model for random breaking waves, J. Geophys. Res. 90.
  */
 double battjesStiveGamma(double steepness);
 
 /**
  * Share Qb of waves that are broken: (1 - Qb)/ln Qb = -(Hrms/Hm)^2, to 1e-12. 0 where Hrms/Hm is below 0.2 (Qb < 2e-11),
- * 1 from Hrms = Hm on. Battjes and Janssen 1978, eq. 7.
+ * 1 from Hrms = Hm on. Battjes and Janssen 1978.
  * @param ratio Hrms/Hm, >= 0
  */
 double brokenShare(double ratio);
 
-/** Dally, Dean and Dalrymple 1985: decay coefficient K and stable height over depth, Gamma (their table 1, all slopes). */
+/** Dally, Dean and Dalrymple 1985: decay coefficient K and stable height over depth, Gamma. */
 constexpr double DallyDecay = 0.15;
 constexpr double DallyStableIndex = 0.4;
 
@@ -77,7 +77,7 @@ constexpr double DallyStableIndex = 0.4;
  */
 double iribarrenNumber(double slope, double height, double period, double gravity);
 
-/** Type of a breaker by its xi_0: spilling below 0.5, plunging to 3.3, surging above. Battjes 1974, table 1. */
+/** Type of a breaker by its xi_0: spilling below 0.5, plunging to 3.3, surging above. Battjes 1974. */
 BreakerType breakerType(double iribarrenOffshore);
 
 /**

@@ -3,6 +3,7 @@
 #include "sim/Breaking.h"
 #include "sim/IncidentWave.h"
 #include "sim/RayField.h"
+#include "sim/SurfZone.h"
 
 #include <cstdint>
 #include <optional>
@@ -45,9 +46,6 @@ struct RayHeights
   std::vector<double> friction;          ///< Kf: what bottom friction alone has left of the height
   std::vector<double> brokenShare;       ///< Qb of random waves (Battjes and Janssen 1978), otherwise 0 or 1
 };
-
-/** Density of sea water, kg/m3. */
-constexpr double SeaWaterDensity = 1025.0;
 
 /** Input of the heights along one ray: plain arrays, one entry a point, as they lie in a ray file. */
 struct RayProfile
