@@ -104,7 +104,7 @@ private:
     const double angle = slope > 0.0 ? std::atan2(uphill.x * wave.y - uphill.y * wave.x, glm::dot(uphill, wave))
                                      : std::numeric_limits<double>::quiet_NaN();
     const double iribarren = iribarrenNumber(slope, this->DeepHeight, period, gravity);
-    const SetUp rise = swellray::setUp(height, depth, k);
+    const WaveSetUp rise = waveSetUp(height, depth, k);
     const double significant = this->Sea.random ? std::sqrt(2.0) * height : height;
     const double flux = longshoreEnergyFlux(significant, valueAt(this->Rays.groupSpeed, place), angle, gravity);
 

@@ -11,7 +11,7 @@ double setDown(double height, double depth, double wavenumber)
   return -height * height * wavenumber / (8.0 * std::sinh(2.0 * wavenumber * depth));
 }
 
-SetUp setUp(double height, double depth, double wavenumber)
+WaveSetUp waveSetUp(double height, double depth, double wavenumber)
 {
   const double gamma = height / depth;
   const double rise = 1.0 / (1.0 + 8.0 / (3.0 * gamma * gamma));

@@ -19,7 +19,7 @@ constexpr double SeaWaterDensity = 1025.0;
 double setDown(double height, double depth, double wavenumber);
 
 /** Mean water level above still water where the surf zone meets the beach, m. */
-struct SetUp
+struct WaveSetUp
 {
   double stillWaterLine; ///< where the depth of still water is 0
   double maximum;        ///< where the mean water meets a plane beach
@@ -33,7 +33,7 @@ struct SetUp
  *
  * Bowen, Inman and Simmons 1968, Wave set-down and set-up, J. Geophys. Res. 73.
  */
-SetUp setUp(double height, double depth, double wavenumber);
+WaveSetUp waveSetUp(double height, double depth, double wavenumber);
 
 /**
  * Longshore energy flux factor P_ls = rho g Hs^2 Cg sin(2 theta)/16, W/m of beach, signed as theta.
