@@ -292,6 +292,7 @@ CommandSpec traceSpec(Request& request)
     {} };
   spec.options = { outputFile("-o,--output", "rays, .vtp", request.output.file, { ".vtp" }),
     outputFile("--crests", "crest lines, .vtp", request.output.crests, { ".vtp" }),
+    outputFile("--breaker-line", "lines where waves begin to break, .vtp", request.output.breakerLine, { ".vtp" }),
     outputFile("--map", "wave heights and directions on a grid, .vti, .nc or .tif", request.output.map,
       { ".vti", ".nc", ".tif" }),
     text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
@@ -307,6 +308,7 @@ CommandSpec traceSpec(Request& request)
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --map heights.nc --map-spacing 25\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --table waves.csv\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
+    "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
     "rays.vtp\n";
   return spec;
@@ -355,7 +357,8 @@ void checkOutputs(const Request& request)
   }
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& file : { std::make_pair("--output", output.file), std::make_pair("--crests", output.crests),
-         std::make_pair("--map", output.map), std::make_pair("--table", output.table) })
+         std::make_pair("--breaker-line", output.breakerLine), std::make_pair("--map", output.map),
+         std::make_pair("--table", output.table) })
   {
     for (const auto& other : files)
     {
@@ -371,7 +374,12 @@ void checkOutputs(const Request& request)
   }
   if (request.command == Command::Trace && files.empty())
   {
-    throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp, --map FILE or --table FILE.csv");
+    throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp, --breaker-line FILE.vtp, --map "
+                     "FILE or --table FILE.csv");
+  }
+  if (!output.breakerLine.empty() && request.rays.height.breaking == BreakingRule::None)
+  {
+    throw UsageError("--breaker-line needs waves that break; leave out --breaking none");
   }
   if (request.map.spacing && output.map.empty())
   {

@@ -221,6 +221,18 @@ vtkPolyData* Pipeline::makeCrests(vtkPolyData* rays)
   return this->Crests->GetOutput();
 }
 
+vtkPolyData* Pipeline::makeBreakerLines()
+{
+  this->Breakers->SetInputConnection(this->Heights->GetOutputPort());
+  this->Breakers->SetSeafloorConnection(this->Reader->GetOutputPort());
+  // A line aslant to the crests has its places further apart than the rays; beyond this it is another line.
+  constexpr double GapOverMaxSpacing = 4.0;
+  const double maxSpacing = fieldNumber(this->computeHeights(), "MaxSpacing").value_or(0.0);
+  this->Breakers->SetMaxGap(GapOverMaxSpacing * maxSpacing);
+  runFilter(this->Breakers, "breakers", this->Screen);
+  return this->Breakers->GetOutput();
+}
+
 std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;

@@ -6,6 +6,7 @@
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
+#include <vtkSwellBreakerLine.h>
 #include <vtkSwellContours.h>
 #include <vtkSwellCrests.h>
 #include <vtkSwellRayTracer.h>
@@ -44,6 +45,9 @@ public:
   /** Crests of these rays, or of those traced, broken where neighbours are far apart. @throws WorkError */
   vtkPolyData* makeCrests(vtkPolyData* rays = nullptr);
 
+  /** Lines where the waves of the rays that were traced begin to break. @throws WorkError */
+  vtkPolyData* makeBreakerLines();
+
 private:
   const Request& Asked;
   Console& Screen;
@@ -52,6 +56,7 @@ private:
   vtkNew<vtkSwellRayTracer> Tracer;
   vtkNew<vtkSwellWaveHeight> Heights;
   vtkNew<vtkSwellCrests> Crests;
+  vtkNew<vtkSwellBreakerLine> Breakers;
 };
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */

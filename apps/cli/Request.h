@@ -86,6 +86,7 @@ struct OutputRequest
 {
   std::string file;
   std::string crests;
+  std::string breakerLine;
   std::string map;
   std::string table; ///< waves at the stations
   bool compress = false;

@@ -131,6 +131,19 @@ std::string breakingInWords(const RayRequest& rays)
   }
 }
 
+void sayBreakers(vtkPolyData* lines, const Console& console)
+{
+  double range[2] = { 0.0, 0.0 };
+  if (lines->GetNumberOfPoints() > 0)
+  {
+    lines->GetPointData()->GetArray("BreakerHeight")->GetRange(range);
+  }
+  console.say(lines->GetNumberOfLines() == 0
+      ? "breakers none: no wave begins to break on neighbouring rays"
+      : fmt::format("breakers {} lines of {} points, {:.3g} to {:.3g} m high", lines->GetNumberOfLines(),
+          lines->GetNumberOfPoints(), range[0], range[1]));
+}
+
 // The choices that the scene made, where the call left them open.
 void sayDefaults(vtkPolyData* rays, const Request& request, const Console& console)
 {
@@ -159,6 +172,7 @@ void runTrace(const Request& request, Console& console)
   { return path.empty() ? nullptr : files.emplace_back(std::make_unique<OutputFile>(path, inputs)).get(); };
   const OutputFile* const raysFile = open(request.output.file);
   const OutputFile* const crestsFile = open(request.output.crests);
+  const OutputFile* const breakerFile = open(request.output.breakerLine);
   const OutputFile* const mapFile = open(request.output.map);
   const OutputFile* const tableFile = open(request.output.table);
   std::optional<StationTable> stations;
@@ -184,6 +198,12 @@ void runTrace(const Request& request, Console& console)
   if (crestsFile)
   {
     writeLines(pipeline.makeCrests(), *crestsFile, request, console);
+  }
+  if (breakerFile)
+  {
+    vtkPolyData* lines = pipeline.makeBreakerLines();
+    sayBreakers(lines, console);
+    writeLines(lines, *breakerFile, request, console);
   }
   if (mapFile)
   {
