@@ -248,11 +248,14 @@ void Parser::take(Registered& registered)
     return;
   }
   const auto values = registered.option->results();
-  if (values.size() > 1)
+  if (values.size() > 1 && !registered.spec.repeatable)
   {
     throw UsageError(registered.spec.longName() + " is given more than once");
   }
-  registered.spec.set(values.front());
+  for (const std::string& value : values)
+  {
+    registered.spec.set(value);
+  }
 }
 
 bool Parser::belongsToAnyCommand(const std::string& option) const

@@ -11,5 +11,6 @@ void runContour(const Request& request, Console& console);
 void runTrace(const Request& request, Console& console);
 void runList();
 void runRender(const Request& request, Console& console);
+void runValidate(const Request& request, Console& console);
 
 }

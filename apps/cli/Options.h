@@ -19,6 +19,7 @@ struct OptionSpec
   std::string group;
   bool required = false;
   std::function<void(const std::string&)> set; ///< takes the text typed; throws UsageError
+  bool repeatable = false;                     ///< may be given several times
 
   /** The longest of its names, as messages give it. */
   std::string longName() const;

@@ -39,6 +39,9 @@ void run(const Request& request)
   case Command::Render:
     runRender(request, console);
     break;
+  case Command::Validate:
+    runValidate(request, console);
+    break;
   }
 }
 
