@@ -9,9 +9,14 @@
 #include <ogr_spatialref.h>
 
 #include <array>
+#include <cerrno>
+#include <cstring>
 #include <limits>
 #include <memory>
 #include <stdexcept>
+
+#include <fcntl.h>
+#include <unistd.h>
 
 namespace swellray
 {
@@ -213,6 +218,29 @@ void addVariable(GDALGroup& root, const std::vector<std::shared_ptr<GDALDimensio
     nodes * type.GetSize()));
 }
 
+// HDF5 does not survive a disk that is full (it crashes when the process ends), so that room is made before: for the
+// values as they are, which compressed will need less.
+void requireRoom(const std::string& path, const MapImage& map)
+{
+  constexpr std::size_t ForTheRest = 65536;
+  std::size_t size = ForTheRest;
+  for (const MapVariable& variable : map.variables)
+  {
+    size += map.columns * map.rows * static_cast<std::size_t>(GDALGetDataTypeSizeBytes(typeOf(variable)));
+  }
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+  if (file < 0)
+  {
+    throw std::runtime_error(std::strerror(errno));
+  }
+  const int error = posix_fallocate(file, 0, static_cast<off_t>(size));
+  ::close(file);
+  if (error == ENOSPC || error == EFBIG)
+  {
+    throw std::runtime_error("the disk is full, or files may not get so large");
+  }
+}
+
 void close(Dataset& dataset)
 {
   dataset->FlushCache(true);
@@ -270,6 +298,7 @@ void writeNetcdf(const std::string& path, const MapImage& map)
 {
   const QuietGdal quiet;
   const NoSideCars noSideCars;
+  requireRoom(path, map);
   const char* const format[] = { "FORMAT=NC4", nullptr };
   Dataset dataset(driverNamed("netCDF")->CreateMultiDimensional(path.c_str(), nullptr, format));
   require(dataset != nullptr);

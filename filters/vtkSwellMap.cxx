@@ -110,6 +110,8 @@ int vtkSwellMap::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inp
   std::array<int, 6> whole{};
   seafloor->Get(Pipeline::WHOLE_EXTENT(), whole.data());
   seafloor->Set(Pipeline::UPDATE_EXTENT(), whole.data(), 6);
+  // The extent of the map says nothing of the rays, and must not pass through them to the seafloor they are traced on.
+  inputVector[0]->GetInformationObject(0)->Remove(Pipeline::UPDATE_EXTENT());
   return 1;
 }
 
