@@ -9,6 +9,7 @@
 #include "sim/WaveHeight.h"
 #include "sim/WaveTracer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -113,8 +114,8 @@ DeepErrors traceFromDeep(
   options.tolerance = tolerance;
   options.insertion = InsertionRule::None;
   options.leeRays = false;
-  options.spacing = 500.0;
-  options.step = 100.0;
+  options.spacing = 1000.0;
+  options.step = 150.0;
   options.agroundDepth = 0.5;
   const RayField field = traceWaves(*seafloor, wave, options);
   const std::size_t n = field.points.size();
@@ -210,17 +211,14 @@ Outcome deepToDepth(const Setting& setting)
       {
         Series exact{ "exact, " + std::to_string(static_cast<int>(theta)) + " deg", Series::Look::Line, {}, {} };
         Series dots{ "", Series::Look::Dots, {}, {} };
-        double last = std::numeric_limits<double>::infinity();
-        for (std::size_t i = first; i < outcome.numbers.rows.size(); ++i)
+        std::vector<std::vector<double>> rows(
+          outcome.numbers.rows.begin() + static_cast<std::ptrdiff_t>(first), outcome.numbers.rows.end());
+        std::sort(rows.begin(), rows.end(), [](const auto& x, const auto& y) { return x[2] < y[2]; });
+        const std::size_t every = 1 + rows.size() / 40;
+        for (std::size_t i = 0; i < rows.size(); i += every)
         {
-          const std::vector<double>& row = outcome.numbers.rows[i];
-          if (row[2] > last)
-          {
-            break; // one ray is enough to look at
-          }
-          last = row[2];
-          exact.add(row[2], row[9]);
-          dots.add(row[2], row[10]);
+          exact.add(rows[i][2], rows[i][9]);
+          dots.add(rows[i][2], rows[i][10]);
         }
         plot.series.push_back(exact);
         plot.series.push_back(dots);

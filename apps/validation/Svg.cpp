@@ -97,7 +97,7 @@ std::vector<double> ticks(const Axis& axis)
   const double step = digit * power;
   for (double i = std::ceil(axis.low / step); i * step <= axis.high; i += 1.0)
   {
-    values.push_back(i * step);
+    values.push_back(i == 0.0 ? 0.0 : i * step); // no -0
   }
   return values;
 }
