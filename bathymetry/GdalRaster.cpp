@@ -53,7 +53,8 @@ void GdalRaster::selectBand(const std::string& variable)
   {
     GDALRasterBand& band = *this->Dataset->GetRasterBand(i);
     const std::string description = band.GetDescription();
-    const bool asked = !variable.empty() && (variable == std::to_string(i) || variable == description);
+    const bool asked = !variable.empty() &&
+      (variable == std::to_string(i) || variable == description || variable == item(band, "standard_name"));
     const bool known =
       variable.empty() && (plain(description) == "elevation" || isElevationName(item(band, "standard_name")));
     if (chosen == 0 && (asked || known))

@@ -225,6 +225,10 @@ void NetcdfRaster::select(const std::string& variable)
     chosen = takeOnly([&variable](const auto& c) { return c.first->name == variable; });
     if (!chosen)
     {
+      chosen = takeOnly([&variable](const auto& c) { return attribute(*c.first->array, "standard_name") == variable; });
+    }
+    if (!chosen)
+    {
       throw std::runtime_error("it has no variable '" + variable +
         "' on a regular grid with coordinates; there are: " + (names.empty() ? "none" : names));
     }

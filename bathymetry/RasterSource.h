@@ -63,7 +63,7 @@ protected:
 
 /**
  * Open a raster with GDAL.
- * @param variable NetCDF variable, or band number or description; empty: the only one that can be a seafloor
+ * @param variable NetCDF variable, or band number or description, or CF standard name; empty: the only one that can be a seafloor
  * @throws std::runtime_error where it cannot be read, naming the file
  */
 std::unique_ptr<RasterSource> openRaster(const std::string& path, const std::string& variable);

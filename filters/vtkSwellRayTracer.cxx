@@ -1,6 +1,7 @@
 #include "vtkSwellRayTracer.h"
 
 #include "AlgorithmExecution.h"
+#include "CurrentSource.h"
 #include "FieldData.h"
 #include "GeoreferenceField.h"
 #include "RayArrays.h"
@@ -24,6 +25,7 @@
 #include <exception>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSwellRayTracer);
 
@@ -43,7 +45,7 @@ std::optional<double> unlessZero(double value)
 }
 
 void setPoints(vtkPolyData* output, const swellray::RayField& field, const swellray::IncidentWave& wave,
-  double waterLevel, const swellray::Execution& execution)
+  double waterLevel, bool withCurrent, const swellray::Execution& execution)
 {
   const auto n = static_cast<vtkIdType>(field.points.size());
   vtkNew<vtkPoints> points;
@@ -65,6 +67,10 @@ void setPoints(vtkPolyData* output, const swellray::RayField& field, const swell
   quantities.groupSpeed = add("GroupSpeed");
   quantities.direction = add("Direction", 3);
   quantities.rayDirection = add("RayDirection", 3);
+  if (withCurrent)
+  {
+    quantities.current = add("Current", 3);
+  }
   quantities.directionFrom = add("DirectionFrom");
   quantities.krSpacing = add("KrSpacing");
   quantities.krTube = add("KrTube");
@@ -128,11 +134,15 @@ void setFields(
 
 vtkSwellRayTracer::vtkSwellRayTracer()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
+  , Water(std::make_unique<swellray::CurrentField>())
 {
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
 }
 
-vtkSwellRayTracer::~vtkSwellRayTracer() = default;
+vtkSwellRayTracer::~vtkSwellRayTracer()
+{
+  delete[] this->Current;
+}
 
 int vtkSwellRayTracer::FillInputPortInformation(int, vtkInformation* info)
 {
@@ -183,11 +193,18 @@ int vtkSwellRayTracer::RequestData(
 
     const std::shared_ptr<const swellray::Seafloor> seafloor =
       this->Seafloor->get(input, this->GetInputArrayToProcess(0, inputVector));
+    std::shared_ptr<const swellray::Current> current;
+    if (this->Current && *this->Current)
+    {
+      current = this->Water->get(this->Current, swellray::georeferenceOf(input), seafloor->bounds());
+      options.current = current.get();
+      options.validate();
+    }
     const swellray::RayField field =
       swellray::traceWaves(*seafloor, wave, options, swellray::makeExecution(this, 0.0, TracingShare));
 
     output->SetLines(swellray::linesInOrder(field.offsets));
-    setPoints(output, field, wave, this->WaterLevel, swellray::makeExecution(this));
+    setPoints(output, field, wave, this->WaterLevel, current != nullptr, swellray::makeExecution(this));
     setCells(output, field);
     setFields(output, field, wave, this->WaterLevel);
     if (this->LongitudeLatitude)
@@ -195,6 +212,10 @@ int vtkSwellRayTracer::RequestData(
       swellray::addLongitudeLatitude(output);
     }
 
+    for (const std::string& note : current ? this->Water->notes() : std::vector<std::string>())
+    {
+      vtkWarningMacro(<< note);
+    }
     if (field.rayCapReached)
     {
       vtkWarningMacro("the cap of " << this->MaximumNumberOfRays << " rays was reached: no more rays were inserted");
@@ -247,6 +268,7 @@ void vtkSwellRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Edge: " << edges[this->Edge] << "\n";
   os << indent << "UseShoreNormal: " << (this->UseShoreNormal ? "on" : "off") << "\n";
   os << indent << "ShoreNormal: " << this->ShoreNormal << "\n";
+  os << indent << "Current: " << (this->Current ? this->Current : "(none)") << "\n";
   os << indent << "LongitudeLatitude: " << (this->LongitudeLatitude ? "on" : "off") << "\n";
   os << indent << "MaximumNumberOfRays: " << this->MaximumNumberOfRays << "\n";
   os << indent << "MaximumNumberOfFronts: " << this->MaximumNumberOfFronts << "\n";

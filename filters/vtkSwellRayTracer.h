@@ -5,10 +5,11 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <limits> // for the default of OffshoreDepth
-#include <memory> // for the seafloor that is kept
+#include <memory> // for the seafloor and the current that are kept
 
 namespace swellray
 {
+class CurrentField;
 class SeafloorField;
 }
 
@@ -27,12 +28,13 @@ class SeafloorField;
  * Output: one poly-line a ray, also for rays of a single point, its points on the still-water level. Point arrays,
  * double with one component unless said:
  * - Depth (m), Phase (rad), TravelTime (s), Wavenumber (rad/m), Wavelength (m)
- * - PhaseSpeed, GroupSpeed (m/s)
+ * - PhaseSpeed, GroupSpeed (m/s, relative to the water)
  * - Direction (3 components, unit vector of the wavenumber, going to), RayDirection (the same of the ray)
  * - DirectionFrom (nautical degrees)
  * - KrSpacing (refraction coefficient from neighbouring rays; NaN without a neighbour), KrTube (from the ray tube;
  *   infinite at a caustic, NaN where there is no tube), TubeWidth (signed, over the width offshore)
  * - ShoalingCoefficient, Caustics (int: passed so far)
+ * - Current (3 components, m/s) where there is one
  * - RayState (unsigned char): 0 DEAD, 1 ALIVE, 2 FLAT, 3 AGROUND
  * - Longitude, Latitude (degrees) where the input says how to map back, unless LongitudeLatitude is off.
  *
@@ -43,10 +45,11 @@ class SeafloorField;
  *
  * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, incident),
  * OffshoreDepth (m, infinite: deep), Gravity (m/s2), WaterLevel (m), LaunchSpacing, MaxSpacing, LaunchWidth (m: as
- * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest | |k|/k(h) - 1 | on a ray) and
+ * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest
+ * | |k|/k(h) - 1 | on a ray, with a current | (sigma + k.U)/omega - 1 |) and
  * SwellrayVersion.
  *
- * A cap that is reached, and a grid too coarse for the wave, is said by a warning. After an abort the output holds
+ * A cap that is reached, a grid too coarse for the wave, and gaps in a current are said by a warning. After an abort the output holds
  * the rays as far as they were traced, those cut short with EndReason 5.
  */
 class SWELLRAYFILTERS_EXPORT vtkSwellRayTracer : public vtkPolyDataAlgorithm
@@ -208,6 +211,17 @@ public:
 
   ///@{
   /**
+   * Steady current on which the waves travel: a built-in one (jet:V0=2,w=200, in the metres of the scene), a .vti
+   * with a point array Current (2 or 3 components, m/s) or arrays u and v, or a raster with two variables or bands u
+   * and v; it must cover the scene. Default none: still water. The period is absolute; heights and directions offshore
+   * hold in still water. Not with the Snell scheme.
+   */
+  vtkSetStringMacro(Current);
+  vtkGetStringMacro(Current);
+  ///@}
+
+  ///@{
+  /**
    * Add Longitude and Latitude; default on. On a geographic grid they cost about a third of the time of tracing:
    * switch them off where the rays are only looked at.
    */
@@ -254,6 +268,7 @@ protected:
   int Edge = EDGE_CONTOURS;
   vtkTypeBool UseShoreNormal = 0;
   double ShoreNormal = 270.0;
+  char* Current = nullptr;
   vtkTypeBool LongitudeLatitude = 1;
   vtkIdType MaximumNumberOfRays = 200000;
   vtkIdType MaximumNumberOfFronts = 100000;
@@ -263,6 +278,7 @@ private:
   void operator=(const vtkSwellRayTracer&) = delete;
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
+  std::unique_ptr<swellray::CurrentField> Water;
 };
 
 #endif

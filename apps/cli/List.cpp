@@ -1,5 +1,6 @@
 #include "Commands.h"
 
+#include "sim/BuiltinCurrent.h"
 #include "sim/BuiltinSeafloor.h"
 
 #include <fmt/format.h>
@@ -27,6 +28,29 @@ std::string rangeText(const FormKey& key)
   return std::isfinite(key.low) && std::isfinite(key.high) ? fmt::format("{:g} to {:g}", key.low, key.high) : "";
 }
 
+void print(const FormDescription& form)
+{
+  std::printf("\n%s\n", fmt::format("{}: {}", form.name, form.summary).c_str());
+  if (!form.formula.empty())
+  {
+    std::printf("  %s\n", form.formula.c_str());
+  }
+  if (!form.source.empty())
+  {
+    std::printf("  %s\n", form.source.c_str());
+  }
+  for (const FormKey& key : form.keys)
+  {
+    const std::string standard = key.words.empty() ? fmt::format("{:g}", key.value) : key.words.front();
+    const std::string unit = key.unit == "-" ? "" : key.unit;
+    std::string about = key.description;
+    about += key.symbol.empty() || key.symbol == key.name ? "" : fmt::format(" ({})", key.symbol);
+    about += key.kind.empty() ? "" : fmt::format("; kind={}", key.kind);
+    std::printf(
+      "%s\n", fmt::format("    {:<16} {:>9} {:<5} {}; {}", key.name, standard, unit, about, rangeText(key)).c_str());
+  }
+}
+
 }
 
 void runList()
@@ -34,27 +58,14 @@ void runList()
   std::printf("Built-in seafloors: NAME or NAME:key=value,...\n");
   for (const FormDescription& form : builtinForms())
   {
-    std::printf("\n%s\n", fmt::format("{}: {}", form.name, form.summary).c_str());
-    if (!form.formula.empty())
-    {
-      std::printf("  %s\n", form.formula.c_str());
-    }
-    if (!form.source.empty())
-    {
-      std::printf("  %s\n", form.source.c_str());
-    }
-    for (const FormKey& key : form.keys)
-    {
-      const std::string standard = key.words.empty() ? fmt::format("{:g}", key.value) : key.words.front();
-      const std::string unit = key.unit == "-" ? "" : key.unit;
-      std::string about = key.description;
-      about += key.symbol.empty() || key.symbol == key.name ? "" : fmt::format(" ({})", key.symbol);
-      about += key.kind.empty() ? "" : fmt::format("; kind={}", key.kind);
-      std::printf(
-        "%s\n", fmt::format("    {:<16} {:>9} {:<5} {}; {}", key.name, standard, unit, about, rangeText(key)).c_str());
-    }
+    print(form);
     std::printf("%s\n",
       fmt::format("  Waves that suit it: --period {:g} --direction {:g}", form.period, form.directionFrom).c_str());
+  }
+  std::printf("\nBuilt-in currents: --current NAME or NAME:key=value,..., in the metres of the scene\n");
+  for (const FormDescription& form : builtinCurrents())
+  {
+    print(form);
   }
 }
 

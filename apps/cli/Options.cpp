@@ -3,6 +3,8 @@
 #include "Failure.h"
 #include "Values.h"
 
+#include "sim/BuiltinCurrent.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -218,6 +220,31 @@ std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
   };
 }
 
+OptionSpec currentOption(RayRequest& rays)
+{
+  OptionSpec spec = text("--current", "FILE|NAME:key=value,...",
+    "steady current: a raster or .vti with u and v, or a built-in jet, shear or eddy", "still water", "Rays",
+    rays.current);
+  const auto setName = spec.set;
+  spec.set = [setName](const std::string& typed)
+  {
+    setName(typed);
+    std::error_code none;
+    if (isBuiltinCurrent(typed) || (typed.find(':') != std::string::npos && !std::filesystem::exists(typed, none)))
+    {
+      try
+      {
+        makeBuiltinCurrent(typed);
+      }
+      catch (const std::invalid_argument& error)
+      {
+        throw UsageError(fmt::format("--current: {}", error.what()));
+      }
+    }
+  };
+  return spec;
+}
+
 std::vector<OptionSpec> heightOptions(RayRequest& rays)
 {
   const char* group = "Heights";
@@ -300,6 +327,7 @@ CommandSpec traceSpec(Request& request)
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
   add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
   add(spec.options, tracingOptions(request.rays.trace));
+  spec.options.push_back(currentOption(request.rays));
   add(spec.options, heightOptions(request.rays));
   add(spec.options, mapOptions(request.map));
   add(spec.options, seafloorOptions(request.seafloor.options));
@@ -307,6 +335,7 @@ CommandSpec traceSpec(Request& request)
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp --crests crests.vtp\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --map heights.nc --map-spacing 25\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --table waves.csv\n"
+    "  swellray trace shoal --period 10 --direction 270 --height 1 --current eddy:U0=1.5,R=400 -o rays.vtp\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
@@ -316,8 +345,8 @@ CommandSpec traceSpec(Request& request)
 
 CommandSpec listSpec()
 {
-  CommandSpec spec{ Command::List, "list", "list the built-in seafloors with their keys, units and defaults", false, {},
-    {} };
+  CommandSpec spec{ Command::List, "list",
+    "list the built-in seafloors and currents with their keys, units and defaults", false, {}, {} };
   spec.examples = "  swellray list\n";
   return spec;
 }
@@ -339,6 +368,7 @@ CommandSpec renderSpec(Request& request)
   add(spec.options, contourOptions(request.contour));
   add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, false));
   add(spec.options, tracingOptions(request.rays.trace));
+  spec.options.push_back(currentOption(request.rays));
   add(spec.options, heightOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"
@@ -470,6 +500,10 @@ void checkTogether(Request& request)
   if (!request.contour.levels.empty() && request.contour.interval)
   {
     throw UsageError("--levels and --interval exclude each other; leave out one of the two");
+  }
+  if (!rays.current.empty() && rays.trace.scheme == TraceScheme::Snell)
+  {
+    throw UsageError("--scheme snell knows no current; leave out --current, or take --scheme ode");
   }
   if (rays.trace.spacing && rays.trace.maxSpacing && *rays.trace.maxSpacing < *rays.trace.spacing)
   {

@@ -108,6 +108,7 @@ void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
     tracer->UseShoreNormalOn();
     tracer->SetShoreNormal(*trace.shoreNormal);
   }
+  tracer->SetCurrent(rays.current.empty() ? nullptr : rays.current.c_str());
   tracer->SetMaximumNumberOfRays(static_cast<vtkIdType>(trace.maxRays));
   tracer->SetMaximumNumberOfFronts(static_cast<vtkIdType>(trace.maxFronts));
 }
@@ -237,7 +238,7 @@ std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
   for (const std::string& file :
-    { request.seafloor.source, request.render.rays, request.render.crests, request.map.stations })
+    { request.seafloor.source, request.rays.current, request.render.rays, request.render.crests, request.map.stations })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))

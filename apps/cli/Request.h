@@ -45,6 +45,7 @@ struct RayRequest
   bool wanted = false; ///< a period was given
   IncidentWave wave;
   TraceOptions trace;
+  std::string current; ///< a file or NAME:key=value,...; empty: still water
   HeightOptions height;
   bool geometricCaustics = false;      ///< no cap of the refraction coefficient
   std::optional<double> maxRefraction; ///< the cap where one was given
