@@ -5,6 +5,7 @@
 #include "RayArrays.h"
 #include "sim/WaveHeight.h"
 
+#include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
@@ -13,6 +14,8 @@
 
 #include <algorithm>
 #include <exception>
+#include <numeric>
+#include <vector>
 
 vtkStandardNewMacro(vtkSwellWaveHeight);
 
@@ -21,6 +24,57 @@ namespace
 
 // Rays between two looks at the abort flag.
 constexpr std::size_t RaysAtOnce = 4096;
+
+/** Rays in an order in which parents come before those inserted beside them, in groups without kinship. */
+struct Generations
+{
+  std::vector<std::size_t> order;
+  std::vector<std::size_t> begins{ 0 };
+
+  Generations(const int* parents, std::size_t rays)
+  {
+    std::vector<std::size_t> generation(rays, 0);
+    std::size_t last = 0;
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      if (hasParent(parents, ray))
+      {
+        generation[ray] = generation[static_cast<std::size_t>(parents[ray])] + 1;
+        last = std::max(last, generation[ray]);
+      }
+    }
+    this->order.resize(rays);
+    std::iota(this->order.begin(), this->order.end(), std::size_t(0));
+    std::stable_sort(this->order.begin(), this->order.end(),
+      [&](std::size_t a, std::size_t b) { return generation[a] < generation[b]; });
+    for (std::size_t i = 1; i <= rays; ++i)
+    {
+      if (i == rays || generation[this->order[i]] != generation[this->order[i - 1]])
+      {
+        this->begins.push_back(i);
+      }
+    }
+  }
+
+  // Parents are older; what a file says else is no kinship.
+  static bool hasParent(const int* parents, std::size_t ray)
+  {
+    return parents && parents[ray] >= 0 && static_cast<std::size_t>(parents[ray]) < ray;
+  }
+};
+
+swellray::RayLossArrays raySlice(swellray::RayLossArrays losses, std::int64_t begin, std::int64_t end)
+{
+  losses.count = static_cast<std::size_t>(end - begin);
+  losses.phase += begin;
+  losses.share += begin;
+  losses.friction += begin;
+  losses.breakingDistance += begin;
+  losses.breaking += begin;
+  losses.breakerType += begin;
+  losses.state += begin;
+  return losses;
+}
 
 }
 
@@ -57,6 +111,10 @@ int vtkSwellWaveHeight::RequestData(
     const auto krSpacing = swellray::requireDoubles(in, "KrSpacing", points);
     const auto krTube = swellray::requireDoubles(in, "KrTube", points);
     const auto state = swellray::requireBytes(in, "RayState", points);
+    const auto phase = swellray::requireDoubles(in, "Phase", points);
+    const auto parent = rays > 0
+      ? swellray::requireIntegers(input->GetCellData(), "ParentRay", static_cast<vtkIdType>(rays))
+      : vtkSmartPointer<vtkIntArray>::New();
     swellray::RayProfile all;
     all.position = positions->GetPointer(0);
     all.travelTime = travelTime->GetPointer(0);
@@ -77,24 +135,45 @@ int vtkSwellWaveHeight::RequestData(
     unsigned char* breaking = swellray::addArray<vtkUnsignedCharArray>(out, "Breaking", points);
     unsigned char* breakerType = swellray::addArray<vtkUnsignedCharArray>(out, "BreakerType", points);
     double* distance = swellray::addArray<vtkDoubleArray>(out, "BreakingDistance", points);
-    double* friction =
-      options.friction > 0.0 ? swellray::addArray<vtkDoubleArray>(out, "FrictionCoefficient", points) : nullptr;
-    double* share = options.breaking == swellray::BreakingRule::BattjesJanssen
+    vtkNew<vtkDoubleArray> frictions;
+    frictions->SetName("FrictionCoefficient");
+    frictions->SetNumberOfTuples(points);
+    double* friction = frictions->GetPointer(0);
+    if (options.friction > 0.0)
+    {
+      out->AddArray(frictions);
+    }
+    double* brokenShare = options.breaking == swellray::BreakingRule::BattjesJanssen
       ? swellray::addArray<vtkDoubleArray>(out, "BrokenShare", points)
       : nullptr;
     swellray::setFieldString(output, "BreakingRule", swellray::breakingRuleName(options.breaking));
     swellray::setFieldValue(output, "BreakerIndex", swellray::breakerIndex(options, wave));
 
+    std::vector<double> share(static_cast<std::size_t>(points));
+    swellray::RayLossArrays losses;
+    losses.phase = phase->GetPointer(0);
+    losses.share = share.data();
+    losses.friction = friction;
+    losses.breakingDistance = distance;
+    losses.breaking = breaking;
+    losses.breakerType = breakerType;
+    losses.state = all.state;
+    const int* const parents = rays > 0 ? parent->GetPointer(0) : nullptr;
+    const Generations generations(parents, rays);
+
     const swellray::Execution execution = swellray::makeExecution(this);
-    for (std::size_t first = 0; first < rays; first += RaysAtOnce)
+    std::size_t generation = 1;
+    for (std::size_t first = 0, count = 0; first < rays; first += count)
     {
-      const std::size_t count = std::min(RaysAtOnce, rays - first);
+      generation += first == generations.begins[generation] ? 1 : 0;
+      count = std::min(RaysAtOnce, generations.begins[generation] - first);
       execution.forRange(count,
         [&](std::size_t begin, std::size_t end)
         {
           swellray::RayHeights heights;
-          for (std::size_t ray = first + begin; ray < first + end; ++ray)
+          for (std::size_t i = first + begin; i < first + end; ++i)
           {
+            const std::size_t ray = generations.order[i];
             const std::int64_t at = offsets[ray];
             swellray::RayProfile profile = all;
             profile.count = static_cast<std::size_t>(offsets[ray + 1] - at);
@@ -107,6 +186,12 @@ int vtkSwellWaveHeight::RequestData(
             profile.krSpacing += at;
             profile.krTube += at;
             profile.state += at;
+            if (profile.count > 0 && Generations::hasParent(parents, ray))
+            {
+              const auto beside = static_cast<std::size_t>(parents[ray]);
+              profile.before =
+                swellray::lossesAt(raySlice(losses, offsets[beside], offsets[beside + 1]), losses.phase[at]);
+            }
             swellray::computeHeights(profile, wave, options, heights);
             std::copy(heights.refraction.begin(), heights.refraction.end(), refraction + at);
             std::copy(heights.height.begin(), heights.height.end(), height + at);
@@ -115,13 +200,11 @@ int vtkSwellWaveHeight::RequestData(
             std::copy(heights.breaking.begin(), heights.breaking.end(), breaking + at);
             std::copy(heights.breakerType.begin(), heights.breakerType.end(), breakerType + at);
             std::copy(heights.breakingDistance.begin(), heights.breakingDistance.end(), distance + at);
-            if (friction)
+            std::copy(heights.friction.begin(), heights.friction.end(), friction + at);
+            std::copy(heights.share.begin(), heights.share.end(), share.begin() + at);
+            if (brokenShare)
             {
-              std::copy(heights.friction.begin(), heights.friction.end(), friction + at);
-            }
-            if (share)
-            {
-              std::copy(heights.brokenShare.begin(), heights.brokenShare.end(), share + at);
+              std::copy(heights.brokenShare.begin(), heights.brokenShare.end(), brokenShare + at);
             }
           }
         });

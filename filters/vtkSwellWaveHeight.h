@@ -11,7 +11,9 @@
  * Wraps swellray::computeHeights (equations there): H = H0 Ks Kr with bottom friction and breaking.
  *
  * Input 0: vtkPolyData, rays of vtkSwellRayTracer (also read back from a file), with the point arrays
- * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), TravelTime (s), ShoalingCoefficient, KrSpacing, KrTube, RayState,
+ * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), TravelTime (s), Phase (rad), ShoalingCoefficient, KrSpacing,
+ *   KrTube, RayState,
+ * the cell array ParentRay (an inserted ray begins with the losses of its parent there)
  * and the field data Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
  * OffshoreDepth (m) and Gravity (m/s2): the wave is the one that was traced, it cannot be set here.
  *

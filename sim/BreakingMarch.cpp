@@ -49,12 +49,17 @@ SurfSample BreakingMarch::Step::at(double w) const
   return sample;
 }
 
-BreakingMarch::BreakingMarch(const SurfRule& rule, const SurfSample& start)
+BreakingMarch::BreakingMarch(const SurfRule& rule, const SurfSample& start, const RayLosses& before)
   : Rule(rule)
   , Here(start)
+  , Share(before.share)
+  , Kf(before.friction)
+  , Distance(before.distance)
+  , Broken(before.broken)
+  , Type(before.type)
 {
   this->Here.depth = std::max(this->Here.depth, SmallestDepth);
-  if (this->height() > this->onset(this->Here))
+  if (!this->Broken && this->height() > this->onset(this->Here))
   {
     this->begin(this->Here);
   }

@@ -26,6 +26,16 @@ struct SurfRule
   double deepHeight = 1.0; ///< height of the incident wave in deep water, m: breaker types
 };
 
+/** Losses up to a place of a ray. */
+struct RayLosses
+{
+  double share = 1.0;    ///< P
+  double friction = 1.0; ///< Kf
+  double distance = 0.0; ///< m since breaking began
+  bool broken = false;
+  BreakerType type = BreakerType::None;
+};
+
 /**
  * Losses of a wave along its ray. P = (H/(H0 Ks Kr))^2 is the share of the wave action that is left; with t the travel
  * time, in which currents are contained,
@@ -47,7 +57,8 @@ struct SurfRule
 class BreakingMarch
 {
 public:
-  BreakingMarch(const SurfRule& rule, const SurfSample& start);
+  /** @param before what the wave had lost before the ray began */
+  BreakingMarch(const SurfRule& rule, const SurfSample& start, const RayLosses& before = {});
 
   /** Go on to the next point, which is reached after so many seconds and metres. */
   void advance(const SurfSample& next, double seconds, double metres);
@@ -56,6 +67,8 @@ public:
   bool limitToDepth();
 
   double height() const;
+  /** P: what is left of the wave action. */
+  double share() const { return this->Share; }
   /** True where the wave breaks; of random waves, where the share of broken waves is above 5 %. */
   bool broken() const { return this->Broken; }
   /** Way since breaking began, m; 0 where it is not broken. */

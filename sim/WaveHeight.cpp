@@ -106,6 +106,26 @@ double breakerIndex(const HeightOptions& options, const IncidentWave& wave)
                                                           : StandardGamma;
 }
 
+RayLosses lossesAt(const RayLossArrays& ray, double phase)
+{
+  if (ray.count == 0)
+  {
+    return {};
+  }
+  const double* const end = ray.phase + ray.count;
+  auto i = static_cast<std::size_t>(std::lower_bound(ray.phase, end, phase) - ray.phase);
+  if (i == ray.count || (i > 0 && phase - ray.phase[i - 1] < ray.phase[i] - phase))
+  {
+    --i;
+  }
+  if (ray.state[i] == static_cast<std::uint8_t>(RayState::Aground))
+  {
+    return {};
+  }
+  return { ray.share[i], ray.friction[i], ray.breakingDistance[i], ray.breaking[i] != 0,
+    static_cast<BreakerType>(ray.breakerType[i]) };
+}
+
 void computeHeights(
   const RayProfile& profile, const IncidentWave& wave, const HeightOptions& options, RayHeights& result)
 {
@@ -114,7 +134,7 @@ void computeHeights(
   requireArrays(profile, options);
   const std::size_t count = profile.count;
   for (std::vector<double>* values : { &result.refraction, &result.height, &result.energyFlux, &result.orbitalVelocity,
-         &result.breakingDistance, &result.friction, &result.brokenShare })
+         &result.breakingDistance, &result.friction, &result.share, &result.brokenShare })
   {
     values->resize(count);
   }
@@ -146,7 +166,7 @@ void computeHeights(
   };
   const SurfRule rule{ options.breaking, breakerIndex(options, wave), options.friction, wave.period, wave.gravity,
     deepWaterHeight(wave) };
-  BreakingMarch march(rule, sampleAt(0));
+  BreakingMarch march(rule, sampleAt(0), profile.before);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (i > 0)
@@ -166,6 +186,7 @@ void computeHeights(
     result.breakerType[i] = static_cast<std::uint8_t>(profile.position ? march.type() : BreakerType::None);
     result.breakingDistance[i] = march.distance();
     result.friction[i] = march.friction();
+    result.share[i] = march.share();
     result.brokenShare[i] = limited ? 1.0 : march.brokenShare();
   }
 }

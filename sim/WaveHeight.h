@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sim/Breaking.h"
+#include "sim/BreakingMarch.h"
 #include "sim/IncidentWave.h"
 #include "sim/RayField.h"
 #include "sim/SurfZone.h"
@@ -44,6 +44,7 @@ struct RayHeights
   std::vector<std::uint8_t> breakerType; ///< BreakerType of the wave where it breaks, by xi_0 where breaking began
   std::vector<double> breakingDistance;  ///< way along the ray since breaking began, m; 0 where it does not break
   std::vector<double> friction;          ///< Kf: what bottom friction alone has left of the height
+  std::vector<double> share;             ///< P: what breaking and friction have left of the wave action
   std::vector<double> brokenShare;       ///< Qb of random waves (Battjes and Janssen 1978), otherwise 0 or 1
 };
 
@@ -60,7 +61,27 @@ struct RayProfile
   const double* krSpacing = nullptr;   ///< -, NaN or infinite allowed
   const double* krTube = nullptr;      ///< -
   const std::uint8_t* state = nullptr; ///< RayState
+  RayLosses before;                    ///< what the wave had lost before the ray began: inserted rays
 };
+
+/** What is known of the losses of one ray: plain arrays, one entry a point. */
+struct RayLossArrays
+{
+  std::size_t count = 0;
+  const double* phase = nullptr; ///< rad, increasing
+  const double* share = nullptr; ///< RayHeights::share, and so on
+  const double* friction = nullptr;
+  const double* breakingDistance = nullptr;
+  const std::uint8_t* breaking = nullptr;
+  const std::uint8_t* breakerType = nullptr;
+  const std::uint8_t* state = nullptr; ///< RayState
+};
+
+/**
+ * Losses of a ray at the point whose phase is nearest to that wanted; none where it is aground there or has no point.
+ * With them a ray that was inserted beside it on that front begins.
+ */
+RayLosses lossesAt(const RayLossArrays& ray, double phase);
 
 /**
  * Breaker index in use: that of the options; for Battjes-Janssen otherwise that of Battjes and Stive 1985 for the wave's
