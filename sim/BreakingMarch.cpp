@@ -63,8 +63,10 @@ BreakingMarch::BreakingMarch(const SurfRule& rule, const SurfSample& start, cons
   {
     this->begin(this->Here);
   }
+  // On a steep bed a wave of Dally's may be higher than where it began to break.
+  const bool decays = this->Rule.breaking == BreakingRule::Dally && before.broken;
   const double highest = this->limit(this->Here);
-  if (this->height() > highest && std::isfinite(this->Here.lossless))
+  if (!decays && this->height() > highest && std::isfinite(this->Here.lossless))
   {
     this->Share = square(highest / this->Here.lossless);
   }

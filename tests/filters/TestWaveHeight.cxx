@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkPolyData.h>
@@ -173,6 +174,44 @@ TEST(WaveHeight, isTheSameOnOneThreadAndOnTwo)
       });
   }
   EXPECT_EQ(heights[0], heights[1]);
+}
+
+TEST(WaveHeight, insertedRaysBeginWithTheLossesOfTheirParents)
+{
+  Scene scene;
+  scene.Reader->SetFileName("shoal");
+  scene.Tracer->SetDirectionFrom(270.0);
+  scene.Tracer->SetSpacing(100.0);
+  scene.Tracer->SetMaxSpacing(110.0);
+  scene.Heights->SetBreakingRuleToNone();
+  scene.Heights->SetFriction(0.5);
+  scene.Heights->Update();
+  vtkPolyData* data = scene.Heights->GetOutput();
+  const double* friction = valuesOf(data, "FrictionCoefficient");
+  const double* phase = valuesOf(data, "Phase");
+  ASSERT_TRUE(friction && phase);
+  vtkDataArray* parents = data->GetCellData()->GetArray("ParentRay");
+  int inserted = 0;
+  for (vtkIdType ray = 0; ray < data->GetNumberOfLines(); ++ray)
+  {
+    const auto parent = static_cast<vtkIdType>(parents->GetComponent(ray, 0));
+    vtkIdType size = 0;
+    const vtkIdType* points = nullptr;
+    data->GetLines()->GetCellAtId(ray, size, points);
+    const vtkIdType first = points[0];
+    if (parent < 0)
+    {
+      ASSERT_EQ(friction[first], 1.0);
+      continue;
+    }
+    data->GetLines()->GetCellAtId(parent, size, points);
+    const vtkIdType* beside =
+      std::find_if(points, points + size, [&](vtkIdType i) { return std::abs(phase[i] - phase[first]) < 1e-6; });
+    ASSERT_NE(beside, points + size) << ray;
+    ASSERT_EQ(friction[first], friction[*beside]) << ray;
+    inserted += friction[first] < 0.9999 ? 1 : 0;
+  }
+  EXPECT_GT(inserted, 0);
 }
 
 TEST(WaveHeight, stopsWhenAsked)

@@ -44,7 +44,7 @@ struct Flume
     return flume;
   }
 
-  RayHeights heights() const
+  RayHeights heights(const RayLosses& before = {}) const
   {
     const std::size_t n = this->x.size();
     std::vector<double> position(3 * n, 0.0);
@@ -76,6 +76,7 @@ struct Flume
     profile.krSpacing = kr.data();
     profile.krTube = kr.data();
     profile.state = state.data();
+    profile.before = before;
     RayHeights result;
     computeHeights(profile, this->wave, this->options, result);
     return result;
@@ -191,6 +192,44 @@ TEST(WaveLosses, nothingIsEverGained)
       }
     }
   }
+}
+
+TEST(WaveLosses, goOnWhereARayWasInserted)
+{
+  for (const BreakingRule rule : AllRules)
+  {
+    Flume whole = Flume::over(bar, 280.0, 1.0);
+    whole.wave.height = 1.2;
+    whole.options.breaking = rule;
+    whole.options.friction = 0.02;
+    const RayHeights expected = whole.heights();
+    const std::vector<std::uint8_t> alive(whole.x.size(), static_cast<std::uint8_t>(RayState::Alive));
+    RayLossArrays losses;
+    losses.count = whole.x.size();
+    losses.phase = whole.x.data(); // any quantity that grows
+    losses.share = expected.share.data();
+    losses.friction = expected.friction.data();
+    losses.breakingDistance = expected.breakingDistance.data();
+    losses.breaking = expected.breaking.data();
+    losses.breakerType = expected.breakerType.data();
+    losses.state = alive.data();
+    for (const std::size_t first : { 100u, 145u, 180u, 260u })
+    {
+      Flume rest = whole;
+      rest.x.erase(rest.x.begin(), rest.x.begin() + static_cast<std::ptrdiff_t>(first));
+      rest.depth.erase(rest.depth.begin(), rest.depth.begin() + static_cast<std::ptrdiff_t>(first));
+      const RayHeights heights = rest.heights(lossesAt(losses, whole.x[first] + 0.3));
+      // Weggel's slope is one-sided at the first point.
+      const double tolerance = rule == BreakingRule::Weggel ? 1e-2 : 1e-12;
+      for (std::size_t i = 0; i < rest.x.size(); ++i)
+      {
+        ASSERT_NEAR(heights.height[i], expected.height[first + i], tolerance)
+          << breakingRuleName(rule) << " at " << rest.x[i];
+        ASSERT_NEAR(heights.friction[i], expected.friction[first + i], tolerance);
+      }
+    }
+  }
+  EXPECT_EQ(lossesAt({}, 1.0).share, 1.0);
 }
 
 TEST(WaveLosses, convergeWithTheSecondOrder)
