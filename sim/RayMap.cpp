@@ -1,6 +1,7 @@
 #include "sim/RayMap.h"
 
 #include "sim/Angles.h"
+#include "sim/Caustic.h"
 
 #include <glm/geometric.hpp>
 
@@ -41,6 +42,30 @@ void resize(RayMap& map, std::size_t places)
   map.breaking.assign(places, 0);
   map.lee.assign(places, 0);
   map.count.assign(places, 0);
+}
+
+// What the branches of fold caustics add to the sum of rays: for each sheet that has touched a caustic, with the sheet of
+// one caustic less that is nearest in phase before it.
+std::complex<double> foldCorrection(const WaveSheet* sheets, std::size_t count)
+{
+  std::complex<double> correction = 0.0;
+  for (const WaveSheet* behind = sheets; behind != sheets + count; ++behind)
+  {
+    const WaveSheet* before = nullptr;
+    for (const WaveSheet* other = sheets; other != sheets + count; ++other)
+    {
+      const bool fits = other->caustics + 1 == behind->caustics && other->phase < behind->phase;
+      before = fits && (!before || other->phase > before->phase) ? other : before;
+    }
+    if (before)
+    {
+      const std::complex<double> rays =
+        std::polar(before->height, before->phase) + std::polar(behind->height, behind->phase - 0.5 * Pi);
+      correction += std::polar(1.0, -0.5 * Pi * before->caustics) *
+        (foldWave({ before->height, before->phase }, { behind->height, behind->phase }) - rays);
+    }
+  }
+  return correction;
 }
 
 // Hits of a place stay in the order of the triangles, so that sums are the same for any number of threads.
@@ -164,7 +189,7 @@ CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRu
     direction += squared * sheet->wavenumber / k;
     sum += std::polar(sheet->height, sheet->phase - 0.5 * Pi * sheet->caustics);
   }
-  combined.height = rule == CombineRule::Energy ? std::sqrt(energy) : std::abs(sum);
+  combined.height = rule == CombineRule::Energy ? std::sqrt(energy) : std::abs(sum + foldCorrection(sheets, count));
   combined.wavelength = 2.0 * Pi * energy / wavenumber;
   if (glm::length(direction) > NoMean * energy)
   {

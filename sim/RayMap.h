@@ -14,7 +14,8 @@ namespace swellray
 enum class CombineRule
 {
   Energy, ///< H^2 = sum H_i^2: irregular seas, whose phases are not known
-  Phase,  ///< H = |sum H_i exp(i (S_i - m_i pi/2))|, m_i: caustics passed: one regular wave
+  Phase,  ///< H = |sum H_i exp(i (S_i - m_i pi/2))|, m_i: caustics passed: one regular wave.
+          ///< The two branches of a fold caustic are added by foldWave(), finite up to the caustic
 };
 
 /** What the sheets at one place amount to. */

@@ -277,6 +277,64 @@ TEST(RayMap, PhaseOfACurvedFrontIsOfThirdOrder)
   EXPECT_GT(fine, 0.0);
 }
 
+// Ai(-z) by its power series (Abramowitz and Stegun 1964, eq. 10.4.2).
+double airyOf(double z)
+{
+  const double cube = -z * z * z;
+  double f = 1.0;
+  double g = -z;
+  double fTerm = 1.0;
+  double gTerm = -z;
+  for (int n = 1; n < 60; ++n)
+  {
+    fTerm *= cube / ((3.0 * n - 1.0) * 3.0 * n);
+    gTerm *= cube / (3.0 * n * (3.0 * n + 1.0));
+    f += fTerm;
+    g += gTerm;
+  }
+  return 0.355028053887817239 * f - 0.258819403792806798 * g;
+}
+
+TEST(RayMap, InterferenceAtAPlaneFoldIsTheAiryFunction)
+{
+  // k^2 = k0^2 - mu x: rays are parabolas that all turn at xt. x = kx0 t - mu t^2/4, y = y0 + ky t, dS = k^2 dt.
+  constexpr double kx0 = 0.05153756633785532;
+  constexpr double ky = 0.089265683395616885;
+  constexpr double xt = 400.0;
+  constexpr double mu = kx0 * kx0 / xt;
+  constexpr int steps = 400;
+  constexpr double spacing = 5.0;
+  Rays rays;
+  for (double y0 = -2900.0; y0 < 100.0; y0 += spacing)
+  {
+    for (int i = 0; i <= steps; ++i)
+    {
+      const double t = 4.0 * kx0 / mu * i / steps;
+      const double kx = kx0 - 0.5 * mu * t;
+      const double phase = ky * (y0 + ky * t) + 2.0 / (3.0 * mu) * (kx0 * kx0 * kx0 - kx * kx * kx);
+      rays.point({ kx0 * t - 0.25 * mu * t * t, y0 + ky * t }, phase, { kx, ky }, std::sqrt(kx0 / std::abs(kx)));
+      rays.caustics.back() = kx < 0.0 ? 1 : 0;
+    }
+    rays.close(y0, 0);
+  }
+  std::vector<glm::dvec2> places;
+  for (int i = 1; i < 200; ++i)
+  {
+    places.emplace_back(xt * i / 200.0, 0.5);
+  }
+  const RayMap map = sampleRays(rays.sheets(), places, nullptr, CombineRule::Phase);
+  const double z0 = std::cbrt(mu) * xt;
+  const double factor = 2.0 * std::sqrt(Pi) * std::pow(z0, 0.25);
+  // Of the largest value, that of the Airy function at z = 1.0188.
+  const double tolerance = 1e-2 * factor * airyOf(1.0188);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    const double z = std::cbrt(mu) * (xt - places[i].x);
+    ASSERT_EQ(map.count[i], 2) << places[i].x;
+    EXPECT_NEAR(map.height[i], factor * std::abs(airyOf(z)), tolerance) << places[i].x;
+  }
+}
+
 TEST(RaySheets, TurnedTubesCountTheirCaustic)
 {
   // Two parallel strips; in the second the ray of the higher parameter stands to the right, as behind a caustic.

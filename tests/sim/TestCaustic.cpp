@@ -1,0 +1,73 @@
+#include "sim/Caustic.h"
+
+#include "sim/Angles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace swellray;
+
+// Ai(-z) (Abramowitz and Stegun 1964, table 10.11).
+struct AiryValue
+{
+  double z;
+  double airy;
+};
+constexpr AiryValue AiryTable[] = { { 0.1, 0.38084867 }, { 0.5, 0.47572809 }, { 1.0, 0.53556088 } };
+
+// The digits of the table.
+constexpr double TableRounding = 1e-8;
+
+// A plane fold: rays of equal amplitude (z0/z)^(1/4), whose exact sum is 2 sqrt(pi) z0^(1/4) Ai(-z).
+std::complex<double> planeFold(double z, double z0, double ratio = 1.0)
+{
+  const double half = 2.0 / 3.0 * std::pow(z, 1.5);
+  const double amplitude = std::pow(z0 / z, 0.25);
+  return foldWave({ amplitude, 40.0 - half }, { ratio * amplitude, 40.0 + half });
+}
+
+TEST(Caustic, FoldIsTheAiryFunction)
+{
+  constexpr double z0 = 7.5;
+  for (const AiryValue& value : AiryTable)
+  {
+    const double expected = 2.0 * std::sqrt(Pi) * std::pow(z0, 0.25) * value.airy;
+    const std::complex<double> wave = planeFold(value.z, z0) * std::polar(1.0, 0.25 * Pi - 40.0);
+    EXPECT_NEAR(wave.real(), expected, 6.0 * TableRounding) << value.z;
+    EXPECT_NEAR(wave.imag(), 0.0, 1e-12) << value.z;
+  }
+}
+
+TEST(Caustic, FoldIsTheSumOfRaysFarFromIt)
+{
+  // The rest falls with the phase between the branches, 5/36 of the inverse of its half at most in either part.
+  for (const double half : { 10.0, 100.0, 900.0 })
+  {
+    const FoldBranch before{ 1.3, 40.0 - half };
+    const FoldBranch behind{ 0.7, 40.0 + half };
+    const std::complex<double> rays =
+      std::polar(before.amplitude, before.phase) + std::polar(behind.amplitude, behind.phase - 0.5 * Pi);
+    EXPECT_LT(std::abs(foldWave(before, behind) - rays), 2.0 * 7.0 / 72.0 / half * 2.0) << half;
+    EXPECT_GT(std::abs(foldWave(before, behind) - rays), 0.0) << half;
+  }
+}
+
+TEST(Caustic, FoldIsFiniteOnIt)
+{
+  constexpr double z0 = 7.5;
+  const double expected = 2.0 * std::sqrt(Pi) * std::pow(z0, 0.25) * 0.355028053887817; // Ai(0)
+  EXPECT_NEAR(std::abs(planeFold(1e-7, z0)), expected, 1e-5);
+}
+
+TEST(Caustic, BranchesOutOfOrderAreRays)
+{
+  const std::complex<double> wave = foldWave({ 1.0, 2.0 }, { 1.0, 2.0 });
+  EXPECT_NEAR(std::abs(wave), std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(std::abs(foldWave({ 1.0, 3.0 }, { 0.0, 2.0 })), 1.0, 1e-12);
+}
+
+}
