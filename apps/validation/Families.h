@@ -13,6 +13,7 @@ std::vector<Case> shallowCases();
 std::vector<Case> circularCases();
 std::vector<Case> ellipticCases();
 std::vector<Case> breakingCases();
+std::vector<Case> currentCases();
 std::vector<Case> gridCases();
 std::vector<Case> schemeCases();
 

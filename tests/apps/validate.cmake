@@ -12,7 +12,7 @@ swellray_cli_test(validate_quick 0 "case  *quantity .*tolerance  verdict\nc1_dis
   python3 -c 'import glob, xml.dom.minidom as m; [m.parse(f) for f in glob.glob(\"report/*.svg\")]; print(\"well-formed\")'")
 # A wrong gravity: every single one of these cases must see it.
 swellray_cli_test(validate_perturbed 1 "all failed" "cases failed: c1_dispersion"
-  "cases='--case c1 --case c2 --case c3 --case c4 --case c5 --case c6 --case c7c'; \
+  "cases='--case c1 --case c2 --case c3 --case c4 --case c5 --case c6 --case c7c --case c8_jet'; \
   $SWELLRAY validate --quick $cases --perturb 1e-3 >out 2>err; code=$?; grep failed err >&2; \
   n=$($SWELLRAY validate --list $cases | wc -l); grep -q \"^swellray: $n of $n cases failed\" err && echo all failed; exit $code")
 # A millionth is enough where the exact side is.
