@@ -25,11 +25,6 @@ constexpr double Rounding = 1e-9;
 
 constexpr double SmallestDepth = 1e-9; // m: keeps the ratios finite
 
-bool isSaturated(BreakingRule rule)
-{
-  return rule == BreakingRule::Gamma || rule == BreakingRule::Weggel || rule == BreakingRule::Miche;
-}
-
 double square(double x)
 {
   return x * x;
@@ -63,10 +58,8 @@ BreakingMarch::BreakingMarch(const SurfRule& rule, const SurfSample& start, cons
   {
     this->begin(this->Here);
   }
-  // On a steep bed a wave of Dally's may be higher than where it began to break.
-  const bool decays = this->Rule.breaking == BreakingRule::Dally && before.broken;
   const double highest = this->limit(this->Here);
-  if (!decays && this->height() > highest && std::isfinite(this->Here.lossless))
+  if (this->height() > highest && std::isfinite(this->Here.lossless))
   {
     this->Share = square(highest / this->Here.lossless);
   }
@@ -174,8 +167,7 @@ double BreakingMarch::shareAfter(const Step& step, double share, double w0, doub
   share -= this->breakingLoss(middle, share, seconds);
   share = rub(share);
 
-  const bool limited =
-    this->Rule.breaking == BreakingRule::BattjesJanssen || (this->Broken && isSaturated(this->Rule.breaking));
+  const bool limited = this->Broken || this->Rule.breaking == BreakingRule::BattjesJanssen;
   const SurfSample end = step.at(w1);
   const double highest = limited ? this->limit(end) : 0.0;
   return limited && end.lossless * std::sqrt(share) > highest ? square(highest / end.lossless) : share;

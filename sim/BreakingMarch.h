@@ -47,6 +47,9 @@ struct RayLosses
  *
  *   dP/dt = -(K Cg/h) (P - Ps),  Ps = (0.4 h/(H0 Ks Kr))^2,  K = 0.15.
  *
+ * (Fitted to slopes up to 1:30. On a bed steeper than about 1:15 the decay would lag behind the depth: H <= gamma h
+ * holds on.)
+ *
  * Battjes and Janssen 1978, H the root mean square height, Hm randomWaveLimit(), at most Hm:
  *
  *   D = rho g Qb Hm^2/(4 T).

@@ -170,6 +170,20 @@ TEST(WaveLosses, dallyReformsBehindABar)
   EXPECT_LT(heights.energyFlux[at(changes[1])], 0.8 * heights.energyFlux[0]);
 }
 
+TEST(WaveLosses, dallyKeepsBelowItsBreakerIndexOnSteepBeds)
+{
+  // On 1:4 the decay alone would let H/h grow without end.
+  Flume flume = Flume::over([](double x) { return 6.0 - 0.25 * x; }, 23.6, 0.1);
+  flume.wave.height = 1.5;
+  flume.options.breaking = BreakingRule::Dally;
+  const RayHeights heights = flume.heights();
+  for (std::size_t i = 0; i < flume.x.size(); ++i)
+  {
+    ASSERT_LE(heights.height[i], 0.78 * flume.depth[i] * (1.0 + 1e-12)) << flume.x[i];
+  }
+  EXPECT_GT(heights.height.back(), 0.7 * flume.depth.back());
+}
+
 TEST(WaveLosses, nothingIsEverGained)
 {
   for (const BreakingRule rule : AllRules)
