@@ -15,10 +15,11 @@
 #include <vtkSwellStations.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
+#include <optional>
 
 namespace swellray::cli
 {
@@ -72,6 +73,21 @@ std::vector<std::string> fieldsOf(const std::string& line)
   return fields;
 }
 
+// The first field that is one of these words, in either case, before what follows an underscore: x_rd.
+std::optional<std::size_t> columnOf(const std::vector<std::string>& fields, const std::vector<std::string>& words)
+{
+  for (std::size_t i = 0; i < fields.size(); ++i)
+  {
+    std::string word = fields[i].substr(0, fields[i].find('_'));
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (std::find(words.begin(), words.end(), word) != words.end())
+    {
+      return i;
+    }
+  }
+  return {};
+}
+
 bool parse(const std::string& text, double& value)
 {
   const char* begin = text.data() + (!text.empty() && text[0] == '+' ? 1 : 0);
@@ -92,6 +108,8 @@ StationTable::StationTable(const std::string& path)
   }
   std::string line;
   std::size_t columns = 0;
+  std::size_t xColumn = 0;
+  std::size_t yColumn = 1;
   for (std::size_t number = 1; std::getline(file, line); ++number)
   {
     if (number == 1 && line.compare(0, 3, "\xEF\xBB\xBF") == 0)
@@ -107,19 +125,22 @@ StationTable::StationTable(const std::string& path)
     Station station;
     station.line = line;
     station.number = number;
-    const bool isX = parse(fields[0], station.x);
-    const bool isPoint = fields.size() >= 2 && isX && parse(fields[1], station.y);
     const bool first = columns == 0;
     columns = first ? fields.size() : columns;
-    if (!isPoint && first && fields.size() >= 2 && !isX && !parse(fields[1], station.y))
+    double none = 0.0;
+    if (first && fields.size() >= 2 && !parse(fields[0], none) && !parse(fields[1], none))
     {
       this->Heading = line;
+      xColumn = columnOf(fields, { "x", "lon", "longitude", "easting" }).value_or(0);
+      yColumn = columnOf(fields, { "y", "lat", "latitude", "northing" }).value_or(1);
       continue;
     }
-    if (!isPoint)
+    const std::size_t needed = std::max(xColumn, yColumn) + 1;
+    if (fields.size() < needed || !parse(fields[xColumn], station.x) || !parse(fields[yColumn], station.y))
     {
-      throw WorkError(fmt::format(
-        "'{}' line {}: '{}' is no point; a line begins with two numbers, x,y or lon,lat", path, number, line));
+      throw WorkError(fmt::format("'{}' line {}: '{}' is no point; it needs two numbers, x,y or lon,lat, first on the "
+                                  "line or in columns of these names",
+        path, number, line));
     }
     if (fields.size() != columns)
     {

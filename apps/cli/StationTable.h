@@ -15,8 +15,9 @@ namespace swellray::cli
 class Console;
 
 /**
- * Points of a CSV file: the first two columns are x,y or lon,lat in the coordinates of the seafloor's file; further
- * columns are kept. A first line whose first two fields are no numbers is a heading. Blank lines and lines that begin
+ * Points of a CSV file, x,y or lon,lat in the coordinates of the seafloor's file: the columns of these names (or
+ * longitude, latitude, easting, northing, x_..., y_...), otherwise the first two; the others are kept. A first line whose first two fields are no numbers
+ * is a heading. Blank lines and lines that begin
  * with # are passed over; fields may stand in double quotes.
  */
 class StationTable
