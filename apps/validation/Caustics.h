@@ -8,7 +8,6 @@ namespace swellray::validation
 /** A ray that passes a caustic, over the formula of its seafloor. */
 struct CausticRay
 {
-  std::string label;
   reference::Place start;
   double reach = 0.0; ///< m: look for caustics so far along the ray
 };

@@ -117,7 +117,7 @@ Outcome runCaustic(const Circular& c, const Setting& setting)
   {
     // Beside the axis, on which the cusp is.
     const double b = half * (2.0 * (i + 0.4) / count - 1.0);
-    rays.push_back({ "", beginning(c, b), -3.0 * c.x0 });
+    rays.push_back({ beginning(c, b), -3.0 * c.x0 });
   }
   return compareCaustics(
     sceneOf(c, *seafloor), c.form.formula(), rays, c.form.feature / ReferenceSteps, c.form.feature, setting);

@@ -25,7 +25,7 @@ Outcome run(const std::vector<DesignedRay>& rays, const Setting& setting)
   scene.map = true;
   for (const DesignedRay& ray : rays)
   {
-    scene.tracks.push_back({ "", [&ray](const RayMedium& medium) { return ray.start(medium); }, ray.places });
+    scene.tracks.push_back({ [&ray](const RayMedium& medium) { return ray.start(medium); }, ray.places });
   }
   const reference::Formula& formula = rays.front().formula;
   scene.depth = [&formula](const reference::Place& place)

@@ -49,10 +49,9 @@ Outcome rays(const Setting& setting)
   }
   for (const double y0 : { -4.7, -2.3, -1.1, -0.35, 0.15, 0.8, 1.7, 2.9, 4.3, 6.0 })
   {
-    scene.tracks.push_back({ "",
-      [y0](const RayMedium& medium) {
-        return reference::startHeading(medium, { Start, y0 }, 0.0, { 0.0, 1.0 });
-      },
+    scene.tracks.push_back({ [y0](const RayMedium& medium) {
+                              return reference::startHeading(medium, { Start, y0 }, 0.0, { 0.0, 1.0 });
+                            },
       traceMunkArthur(formula, 2.0 * Pi / Period, beginning(y0), lengths, ReferenceStep) });
   }
   RayLimits limits;
@@ -72,7 +71,7 @@ Outcome caustic(const Setting& setting)
   const int count = setting.quick ? 6 : 30;
   for (int i = 0; i < count; ++i)
   {
-    rays.push_back({ "", beginning(-2.4 + 4.8 * (i + 0.37) / count), 22.0 });
+    rays.push_back({ beginning(-2.4 + 4.8 * (i + 0.37) / count), 22.0 });
   }
   return compareCaustics(sceneOf(*seafloor, formula), formula, rays, ReferenceStep, 3.75, setting);
 }

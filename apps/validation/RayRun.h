@@ -10,7 +10,6 @@ namespace swellray::validation
 /** A ray and its exact places. */
 struct Track
 {
-  std::string label;
   std::function<RayStart(const RayMedium&)> start;
   std::vector<reference::Place> places;
 };
