@@ -21,6 +21,9 @@ namespace
 {
 
 constexpr int Attempts = 3;
+constexpr int FirstDisplay = 100;
+constexpr int Displays = 50'000;
+constexpr int Stride = 7'919;
 constexpr int StartTimeout = 20'000; // ms; a loaded machine takes seconds
 
 [[noreturn]] void failWithoutDisplay()
@@ -83,7 +86,7 @@ void stopServer(pid_t server)
 }
 
 // Start a server; 0 where it does not come up, otherwise its process with DISPLAY set.
-pid_t startServer()
+pid_t startServer(int attempt)
 {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0)
@@ -92,6 +95,9 @@ pid_t startServer()
   }
   const std::string descriptor = std::to_string(ends[1]);
   const pid_t parent = getpid();
+  // Servers that look for a free number by themselves at the same moment can end up sharing one; no two processes
+  // share a process id.
+  const std::string display = ":" + std::to_string(FirstDisplay + (parent + attempt * Stride) % Displays);
   const pid_t server = fork();
   if (server == 0)
   {
@@ -107,8 +113,8 @@ pid_t startServer()
     dup2(nothing, STDOUT_FILENO);
     dup2(nothing, STDERR_FILENO);
     // Without -noreset the server starts afresh whenever its last client leaves, and refuses the next one meanwhile.
-    execlp("Xvfb", "Xvfb", "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24", "-nolisten", "tcp",
-      "-noreset", static_cast<char*>(nullptr));
+    execlp("Xvfb", "Xvfb", display.c_str(), "-displayfd", descriptor.c_str(), "-screen", "0", "1280x1024x24",
+      "-nolisten", "tcp", "-noreset", static_cast<char*>(nullptr));
     _exit(127);
   }
   close(ends[1]);
@@ -131,15 +137,11 @@ VirtualDisplay::VirtualDisplay()
   {
     return;
   }
-  // Servers that start or stop at the same moment may take each other's socket away: ask again, then try another.
+  // The number may be taken all the same, by a server of another user or container: try others.
   for (int attempt = 0; attempt < Attempts; ++attempt)
   {
-    this->Server = startServer();
-    if (this->Server == 0)
-    {
-      break;
-    }
-    if (displayAnswers())
+    this->Server = startServer(attempt);
+    if (this->Server > 0 && displayAnswers())
     {
       return;
     }
