@@ -31,28 +31,11 @@ constexpr int StartTimeout = 20'000; // ms; a loaded machine takes seconds
   throw WorkError("no display to draw on: set DISPLAY, or install Xvfb (package xvfb), or run under 'xvfb-run -a'");
 }
 
-// VTK ends the process where the display that is set does not answer, so ask before. It has loaded libX11.
-bool displayAnswers()
+// VTK has loaded libX11.
+template <typename Function>
+Function x11(const char* name)
 {
-  const char* name = std::getenv("DISPLAY");
-  if (!name || !*name)
-  {
-    return false;
-  }
-  using Open = void* (*)(const char*);
-  using Close = int (*)(void*);
-  const auto open = reinterpret_cast<Open>(dlsym(RTLD_DEFAULT, "XOpenDisplay"));
-  const auto close = reinterpret_cast<Close>(dlsym(RTLD_DEFAULT, "XCloseDisplay"));
-  if (!open || !close)
-  {
-    return true;
-  }
-  void* display = open(nullptr);
-  if (display)
-  {
-    close(display);
-  }
-  return display != nullptr;
+  return reinterpret_cast<Function>(dlsym(RTLD_DEFAULT, name));
 }
 
 // The number of the display as the server writes it once it is up; empty where it does not come up.
@@ -133,7 +116,7 @@ pid_t startServer(int attempt)
 
 VirtualDisplay::VirtualDisplay()
 {
-  if (displayAnswers())
+  if (this->connect())
   {
     return;
   }
@@ -141,7 +124,7 @@ VirtualDisplay::VirtualDisplay()
   for (int attempt = 0; attempt < Attempts; ++attempt)
   {
     this->Server = startServer(attempt);
-    if (this->Server > 0 && displayAnswers())
+    if (this->Server > 0 && this->connect())
     {
       return;
     }
@@ -155,8 +138,31 @@ VirtualDisplay::~VirtualDisplay()
   this->stop();
 }
 
+// VTK ends the process where the display that is set does not answer, so ask before. The connection is kept: a server
+// whose last client leaves may start afresh and refuse the next one.
+bool VirtualDisplay::connect()
+{
+  const char* name = std::getenv("DISPLAY");
+  if (!name || !*name)
+  {
+    return false;
+  }
+  const auto open = x11<void* (*)(const char*)>("XOpenDisplay");
+  if (!open)
+  {
+    return true;
+  }
+  this->Connection = open(nullptr);
+  return this->Connection != nullptr;
+}
+
 void VirtualDisplay::stop()
 {
+  if (this->Connection)
+  {
+    x11<int (*)(void*)>("XCloseDisplay")(this->Connection);
+    this->Connection = nullptr;
+  }
   if (this->Server > 0)
   {
     stopServer(this->Server);

@@ -16,9 +16,11 @@ public:
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
 
 private:
+  bool connect();
   void stop();
 
-  int Server = 0; // process id; 0: none was started
+  void* Connection = nullptr; // to the display
+  int Server = 0;             // process id; 0: none was started
 };
 
 }
