@@ -120,9 +120,8 @@ Form planeForm()
 {
   return { { "plane", "plane beach", "h = s x", "", with({ slope(0.02), offshoreFloor(), facing() }, edges(BeachScene)),
              90.0, 10.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
-      return std::make_unique<PlaneBeach>(v.boundsFacing(), v["facing"], v["slope"], v["offshore-depth"]);
-    } };
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    { return std::make_unique<PlaneBeach>(v.boundsFacing(), v["facing"], v["slope"], v["offshore-depth"]); } };
 }
 
 Form deanForm()
@@ -133,7 +132,8 @@ Form deanForm()
                     offshoreFloor(), facing() },
                edges(BeachScene)),
              90.0, 9.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    {
       const double floor = v["offshore-depth"];
       if (floor > 0.0 && floor <= v["min-depth"])
       {
@@ -153,7 +153,8 @@ Form barForm()
              length("bar-width", "wb", 40.0, "its half width at 1/e of its height"), offshoreFloor(), facing() },
         edges(BeachScene)),
       90.0, 9.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    {
       const double floor = v["offshore-depth"];
       const double atBar = v["slope"] * v["bar-position"];
       if (floor > 0.0 && floor <= atBar)
@@ -213,7 +214,8 @@ Form islandForm()
                     onlyFor("parabolic", length("radius", "R", 1200.0, "radius where the slope ends")) },
                with(centre(), edges(IslandScene))),
              270.0, 12.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    {
       const glm::dvec2 middle(v["xc"], v["yc"]);
       if (v.word("kind") == "parabolic")
       {
@@ -238,7 +240,8 @@ Form shoalForm()
                     onlyFor("poly3", length("radius", "R", 750.0, "radius of its rim")) },
                with(centre(), edges(IslandScene))),
              270.0, 10.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    {
       const glm::dvec2 middle(v["xc"], v["yc"]);
       if (v.word("kind") == "poly3")
       {
@@ -262,7 +265,8 @@ Form berkhoffForm()
                  number("rotation", "", "deg", 20.0, -360.0, 360.0, "clockwise angle from the x axis to the slope's") },
                edges({ { -10.0, -10.0 }, { 12.0, 10.0 } })),
              270.0, 1.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    {
       if (v["min-depth"] >= v["depth"])
       {
         v.fail("min-depth is " + formatNumber(v["min-depth"]) + "; it must be below depth, " +
@@ -280,7 +284,8 @@ Form vincentBriggsForm()
              "h = 0.4572; 0.9144 - 0.762 sqrt(1 - (x/3.81)^2 - (y/4.95)^2) inside the ellipse where both meet, "
              "(x/3.048)^2 + (y/3.96)^2 = 1",
              "Vincent and Briggs 1989", edges({ { -6.0, -12.0 }, { 16.0, 12.0 } }), 270.0, 1.3 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    {
       return std::make_unique<EllipsoidShoal>(v.bounds(), EllipsoidShoal::Floor{ 0.4572, 0.0, 0.0, 0.0, 0.0 },
         EllipsoidShoal::Ellipsoid{ 0.762, 0.9144 - 0.4572, { 3.81, 4.95 } });
     } };
@@ -302,9 +307,8 @@ Form babbageForm()
                     "mean depth along the seaward edge; all depths scale with it") },
                sides),
              0.0, 6.0 },
-    [](const FormValues& v) -> std::unique_ptr<Seafloor> {
-      return std::make_unique<BabbageBeach>(v.bounds(), v["offshore-depth"]);
-    } };
+    [](const FormValues& v) -> std::unique_ptr<Seafloor>
+    { return std::make_unique<BabbageBeach>(v.bounds(), v["offshore-depth"]); } };
 }
 
 const std::vector<Form>& forms()
@@ -323,7 +327,8 @@ std::string nameOf(const std::string& spec)
 
 const std::vector<FormDescription>& builtinForms()
 {
-  static const std::vector<FormDescription> descriptions = [] {
+  static const std::vector<FormDescription> descriptions = []
+  {
     std::vector<FormDescription> list;
     for (const Form& form : forms())
     {

@@ -27,10 +27,7 @@ struct ElevationGrid
     return origin + spacing * glm::dvec2(static_cast<double>(column), static_cast<double>(row));
   }
 
-  Rectangle bounds() const
-  {
-    return { origin, node(columns > 0 ? columns - 1 : 0, rows > 0 ? rows - 1 : 0) };
-  }
+  Rectangle bounds() const { return { origin, node(columns > 0 ? columns - 1 : 0, rows > 0 ? rows - 1 : 0) }; }
 };
 
 }

@@ -35,7 +35,8 @@ StraightBeach::Profile BarBeach::profile(double u) const
 
 StraightBeach::Interval BarBeach::depthBounds(const Interval& u) const
 {
-  const auto barAt = [this](double distance) {
+  const auto barAt = [this](double distance)
+  {
     const double t = distance / this->Shape.width;
     return this->Shape.height * std::exp(-t * t);
   };

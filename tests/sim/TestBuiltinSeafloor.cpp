@@ -125,8 +125,10 @@ TEST(BuiltinSeafloor, barBeach)
 
 TEST(BuiltinSeafloor, bayAndHeadland)
 {
-  const auto coast = [](double slope, double reach, double sigma, double fade) {
-    return [=](double x, double y) {
+  const auto coast = [](double slope, double reach, double sigma, double fade)
+  {
+    return [=](double x, double y)
+    {
       const double shore = reach * (1.0 - y * y / (sigma * sigma)) * std::exp(-y * y / (2.0 * sigma * sigma));
       return slope * (x - shore + shore * std::tanh((x - shore) / fade));
     };
@@ -158,8 +160,10 @@ TEST(BuiltinSeafloor, bayAndHeadlandAreAHundredMetresSquareWithStraightWaterOffs
 TEST(BuiltinSeafloor, islands)
 {
   const Rectangle box{ { -1500.0, -1400.0 }, { 1500.0, 1400.0 } };
-  const auto cone = [](double slope, double shore, double toe) {
-    return [=](double x, double y) {
+  const auto cone = [](double slope, double shore, double toe)
+  {
+    return [=](double x, double y)
+    {
       const double r = std::hypot(x, y);
       return slope * (std::clamp(r, 0.5 * shore, toe) - shore);
     };
@@ -189,7 +193,8 @@ TEST(BuiltinSeafloor, shoals)
     [](double x, double y) { return 60.0 - 50.0 * std::exp(-(std::pow(x - 5e3, 2) + std::pow(y - 5e3, 2)) / 2e6); },
     { { 0.0, 0.0 }, { 1e4, 1e4 } });
   expectDepth("shoal:kind=poly3,h0=15,a=10.5,R=250",
-    [](double x, double y) {
+    [](double x, double y)
+    {
       const double r = std::min(std::hypot(x, y) / 250.0, 1.0);
       return 15.0 - 10.5 * std::pow((1.0 - r) * (1.0 + r), 3);
     },
@@ -198,8 +203,10 @@ TEST(BuiltinSeafloor, shoals)
 
 TEST(BuiltinSeafloor, berkhoffShoal)
 {
-  const auto depth = [](double toe) {
-    return [toe](double x, double y) {
+  const auto depth = [](double toe)
+  {
+    return [toe](double x, double y)
+    {
       const double u = x * std::cos(radians(20.0)) - y * std::sin(radians(20.0));
       const double v = x * std::sin(radians(20.0)) + y * std::cos(radians(20.0));
       double h = u < -toe ? 0.45 : std::max(0.45 - 0.02 * (toe + u), 0.07);
@@ -218,7 +225,8 @@ TEST(BuiltinSeafloor, berkhoffShoal)
 TEST(BuiltinSeafloor, vincentBriggsShoal)
 {
   expectDepth("vincent-briggs",
-    [](double x, double y) {
+    [](double x, double y)
+    {
       // Inside x/3.05, y/3.96 in the paper's rounding; 3.81 x 0.8 = 3.048 is where the two depths meet.
       const bool inside = std::pow(x / 3.048, 2) + std::pow(y / 3.96, 2) <= 1.0;
       return inside ? 0.9144 - 0.762 * std::sqrt(1.0 - std::pow(x / 3.81, 2) - std::pow(y / 4.95, 2)) : 0.4572;
