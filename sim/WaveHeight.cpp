@@ -181,7 +181,9 @@ void computeHeights(
     result.refraction[i] = refraction;
     result.height[i] = height;
     result.energyFlux[i] = fluxFactor * height * height * profile.groupSpeed[i];
-    result.orbitalVelocity[i] = Pi * height / (wave.period * std::sinh(profile.wavenumber[i] * profile.depth[i]));
+    // H sigma/(2 sinh kh) with sigma^2 = g k tanh kh, which holds on a current too.
+    const double k = profile.wavenumber[i];
+    result.orbitalVelocity[i] = height * std::sqrt(wave.gravity * k / (2.0 * std::sinh(2.0 * k * profile.depth[i])));
     result.breaking[i] = march.broken() || limited ? 1 : 0;
     result.breakerType[i] = static_cast<std::uint8_t>(profile.position ? march.type() : BreakerType::None);
     result.breakingDistance[i] = march.distance();

@@ -39,7 +39,7 @@ struct RayHeights
   std::vector<double> refraction;        ///< Kr in use, -
   std::vector<double> height;            ///< H, m
   std::vector<double> energyFlux;        ///< rho g H^2 Cg / 8, W/m
-  std::vector<double> orbitalVelocity;   ///< pi H/(T sinh kh), amplitude near the bed, m/s
+  std::vector<double> orbitalVelocity;   ///< H sigma/(2 sinh kh), amplitude near the bed, m/s
   std::vector<std::uint8_t> breaking;    ///< 1 where the wave breaks; of random waves where more than 5 % do
   std::vector<std::uint8_t> breakerType; ///< BreakerType of the wave where it breaks, by xi_0 where breaking began
   std::vector<double> breakingDistance;  ///< way along the ray since breaking began, m; 0 where it does not break
