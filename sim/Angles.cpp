@@ -5,9 +5,9 @@
 namespace swellray
 {
 
-double wrapDegrees(double value)
+double wrapDegrees(double angle)
 {
-  const double wrapped = std::fmod(value, 360.0);
+  const double wrapped = std::fmod(angle, 360.0);
   const double positive = wrapped < 0.0 ? wrapped + 360.0 : wrapped;
   return positive < 360.0 ? positive : 0.0;
 }

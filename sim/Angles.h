@@ -31,7 +31,7 @@ constexpr double headingFromNautical(double nautical)
 /** Nautical direction a wave of this wavenumber vector (or any vector along it) comes from, degrees in [0, 360). */
 double nauticalFromVector(const glm::dvec2& direction);
 
-/** Angle brought into [0, 360). */
-double wrapDegrees(double degrees);
+/** Angle, degrees, brought into [0, 360). */
+double wrapDegrees(double angle);
 
 }

@@ -255,11 +255,12 @@ void BreakingMarch::advance(const SurfSample& next, double seconds, double metre
     };
     rate += std::max(rubbing(step.from), rubbing(step.to));
   }
-  const double steps = std::clamp(std::ceil(rate * seconds / LossOfAStep), 1.0, MostSteps);
+  const double wanted = std::ceil(rate * seconds / LossOfAStep);
+  const int steps = wanted > 1.0 ? static_cast<int>(std::min(wanted, MostSteps)) : 1;
   double w = 0.0;
-  for (double i = 1.0; i <= steps; ++i)
+  for (int i = 1; i <= steps; ++i)
   {
-    const double end = i / steps;
+    const double end = static_cast<double>(i) / steps;
     for (int change = 0; w < end && change < MostChanges; ++change)
     {
       w = this->advanceTo(step, w, end);

@@ -172,8 +172,10 @@ public:
     , Columns(static_cast<std::ptrdiff_t>(columns))
     , Rows(static_cast<std::ptrdiff_t>(rows))
   {
-    const int width = 2 * order + 1;
-    std::vector<double> stencil(static_cast<std::size_t>(width * width), 0.0);
+    const std::size_t width = 2 * static_cast<std::size_t>(order) + 1;
+    std::vector<double> stencil(width * width, 0.0);
+    const auto index = [width](int row, int column)
+    { return static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column); };
     forDifferences(
       [&](int a, int b, int u, int v, double factor)
       {
@@ -181,8 +183,7 @@ public:
         {
           for (int p = 0; p <= a; ++p)
           {
-            stencil[static_cast<std::size_t>((order - v + q) * width + order - u + p)] +=
-              factor * Difference[a][p] * Difference[b][q];
+            stencil[index(order - v + q, order - u + p)] += factor * Difference[a][p] * Difference[b][q];
           }
         }
       });
@@ -190,7 +191,7 @@ public:
     {
       for (int x = -order; x <= order; ++x)
       {
-        const double factor = stencil[static_cast<std::size_t>((y + order) * width + x + order)];
+        const double factor = stencil[index(y + order, x + order)];
         if (factor != 0.0)
         {
           this->Interior.push_back({ y * this->Columns + x, factor });

@@ -72,8 +72,8 @@ private:
   void crossKink(unsigned kink);
   void prepareDense(double h, const State& end, const State& lastRate);
   State dense(double theta) const;
-  double dense(double theta, std::size_t component) const;
-  double denseRate(double theta, std::size_t component) const; // by theta
+  double dense(double theta, std::size_t i) const;
+  double denseRate(double theta, std::size_t i) const; // by theta
   glm::dvec2 densePosition(double theta) const;
   template <typename Sign>
   double locate(double low, double high, const Sign& outside) const;
