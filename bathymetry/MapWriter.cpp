@@ -160,7 +160,7 @@ struct Axis
 std::shared_ptr<GDALDimension> addAxis(GDALGroup& root, const Axis& axis)
 {
   const bool isX = axis.name == "x";
-  const auto dimension = root.CreateDimension(
+  auto dimension = root.CreateDimension(
     axis.name, isX ? GDAL_DIM_TYPE_HORIZONTAL_X : GDAL_DIM_TYPE_HORIZONTAL_Y, isX ? "EAST" : "NORTH", axis.count);
   require(dimension != nullptr);
   const auto type = GDALExtendedDataType::Create(GDT_Float64);

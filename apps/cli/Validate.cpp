@@ -33,6 +33,7 @@ std::vector<Case> chosenCases(const std::vector<std::string>& words)
 {
   std::vector<Case> all = validation::allCases();
   std::vector<std::string> names;
+  names.reserve(all.size());
   for (const Case& one : all)
   {
     names.push_back(one.name);

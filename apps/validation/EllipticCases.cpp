@@ -69,6 +69,7 @@ Outcome caustic(const Setting& setting)
   const reference::Formula formula = reference::EllipticShoal().formula();
   std::vector<CausticRay> rays;
   const int count = setting.quick ? 6 : 30;
+  rays.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
   {
     rays.push_back({ beginning(-2.4 + 4.8 * (i + 0.37) / count), 22.0 });

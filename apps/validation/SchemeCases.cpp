@@ -125,11 +125,11 @@ Outcome shoal(const Setting& setting)
     lengths.push_back(100.0 * i);
   }
   const double apart = setting.quick ? 60.0 : 20.0;
-  for (double y = -600.0 + 1.7; y < 600.0; y += apart)
+  for (int i = 0; - 600.0 + 1.7 + i * apart < 600.0; ++i)
   {
     Place start;
     start.x = -1800.0;
-    start.y = y;
+    start.y = -600.0 + 1.7 + i * apart;
     scene.from.push_back({ start.x, start.y });
     scene.exact.push_back(
       traceMunkArthur(form.formula(), 2.0 * Pi / scene.period, start, lengths, form.feature / 400.0));

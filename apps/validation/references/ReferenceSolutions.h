@@ -41,7 +41,7 @@ Real wavenumber(Real omega, Real depth);
 Real groupSpeed(Real omega, Real depth);
 
 /** Depth in which a wave has this wavenumber, h = atanh(k_inf/k)/k, m. */
-Real depthOf(Real omega, Real wavenumber);
+Real depthOf(Real omega, Real k);
 
 /** dk/dh at constant omega, rad/m2. */
 Real wavenumberSlope(Real omega, Real depth);
@@ -115,7 +115,7 @@ struct Formula
 };
 
 /** Depth in which a wave has the wavenumber given as a formula. */
-Jet depthFormula(double omega, const Jet& wavenumber);
+Jet depthFormula(double omega, const Jet& k);
 
 /** The Seafloor of a formula, water level 0. */
 class FormulaSeafloor final : public Seafloor
