@@ -38,6 +38,8 @@ public:
 private:
   using State = rayequations::State;
 
+  static constexpr int BisectionSteps = 60;
+
   struct Trial
   {
     State end;
@@ -118,5 +120,24 @@ private:
   double WidthScale = 1.0;
   double RateScale = 0.0;
 };
+
+inline double HamiltonianRay::dense(double theta, std::size_t i) const
+{
+  const double rest = 1.0 - theta;
+  return this->Begin[i] +
+    theta * (this->Dense[0][i] + rest * (this->Dense[1][i] + theta * (this->Dense[2][i] + rest * this->Dense[3][i])));
+}
+
+inline double HamiltonianRay::denseRate(double theta, std::size_t i) const
+{
+  const double rest = 1.0 - theta;
+  return this->Dense[0][i] + this->Dense[1][i] * (1.0 - 2.0 * theta) + this->Dense[2][i] * theta * (2.0 - 3.0 * theta) +
+    this->Dense[3][i] * 2.0 * theta * rest * (1.0 - 2.0 * theta);
+}
+
+inline glm::dvec2 HamiltonianRay::densePosition(double theta) const
+{
+  return { this->dense(theta, rayequations::X), this->dense(theta, rayequations::Y) };
+}
 
 }

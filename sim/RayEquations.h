@@ -4,6 +4,7 @@
 #include "sim/RayPath.h"
 
 #include <array>
+#include <cmath>
 
 namespace swellray
 {
@@ -108,6 +109,12 @@ inline bool evaluate(
 inline double tubeWidth(const State& y, const glm::dvec2& direction)
 {
   return direction.x * y[DY] - direction.y * y[DX];
+}
+
+/** Speed of the energy along the wavenumber over the group speed: 1 without a current. */
+inline double speedShare(const State& y, const State& rate, const Frequency& frequency)
+{
+  return rate[Phase] / (std::hypot(y[Kx], y[Ky]) * frequency.k);
 }
 
 }
