@@ -2,6 +2,7 @@
 #include "CommandLine.h"
 
 #include "Failure.h"
+#include "OptionGroups.h"
 #include "Options.h"
 #include "Values.h"
 #include "Version.h"
@@ -81,7 +82,7 @@ class Parser
 {
 public:
   Parser(int argc, char** argv);
-  std::optional<Request> read();
+  std::optional<Call> read();
 
 private:
   struct CommandApp
@@ -357,7 +358,7 @@ void Parser::takeConfiguration()
   }
 }
 
-std::optional<Request> Parser::read()
+std::optional<Call> Parser::read()
 {
   try
   {
@@ -382,7 +383,6 @@ std::optional<Request> Parser::read()
     throw UsageError("no command given");
   }
   this->refuseExtras();
-  this->Result.command = this->Chosen->spec.command;
   for (Registered& registered : this->Common)
   {
     this->take(registered);
@@ -414,13 +414,16 @@ std::optional<Request> Parser::read()
       throw UsageError(fmt::format("{} needs {} {}", name, registered.spec.longName(), registered.spec.value));
     }
   }
-  checkTogether(this->Result);
-  return this->Result;
+  if (this->Chosen->spec.check)
+  {
+    this->Chosen->spec.check(this->Result);
+  }
+  return Call{ this->Result, this->Chosen->spec.run };
 }
 
 }
 
-std::optional<Request> readCommandLine(int argc, char** argv)
+std::optional<Call> readCommandLine(int argc, char** argv)
 {
   return Parser(argc, argv).read();
 }

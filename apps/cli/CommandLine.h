@@ -1,17 +1,26 @@
 #pragma once
 
+#include "Console.h"
 #include "Request.h"
 
+#include <functional>
 #include <optional>
 
 namespace swellray::cli
 {
 
+/** What was asked for, and what does it. */
+struct Call
+{
+  Request request;
+  std::function<void(const Request&, Console&)> run; ///< throws UsageError and WorkError
+};
+
 /**
  * Read the command line and the configuration file it names.
- * @return the request; none where help or the version was asked for and has been printed
+ * @return none where help or the version was asked for and has been printed
  * @throws UsageError where the call is wrong, WorkError where the configuration file cannot be read
  */
-std::optional<Request> readCommandLine(int argc, char** argv);
+std::optional<Call> readCommandLine(int argc, char** argv);
 
 }

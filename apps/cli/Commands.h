@@ -1,16 +1,18 @@
 #pragma once
 
-#include "Console.h"
-#include "Request.h"
+#include "Options.h"
 
 namespace swellray::cli
 {
 
-void runInfo(const Request& request, Console& console);
-void runContour(const Request& request, Console& console);
-void runTrace(const Request& request, Console& console);
-void runList();
-void runRender(const Request& request, Console& console);
-void runValidate(const Request& request, Console& console);
+// One function a command, each in the file that also does its work; the options write into request, which must
+// outlive them.
+
+CommandSpec infoSpec(Request& request);
+CommandSpec contourSpec(Request& request);
+CommandSpec traceSpec(Request& request);
+CommandSpec renderSpec(Request& request);
+CommandSpec validateSpec(Request& request);
+CommandSpec listSpec();
 
 }

@@ -1,4 +1,6 @@
 #include "Commands.h"
+#include "OptionGroups.h"
+#include "OptionKinds.h"
 
 #include "Pipeline.h"
 
@@ -10,6 +12,9 @@
 #include <set>
 
 namespace swellray::cli
+{
+
+namespace
 {
 
 void runContour(const Request& request, Console& console)
@@ -36,6 +41,23 @@ void runContour(const Request& request, Console& console)
   console.say(fmt::format("{} contour lines at {} depths, {:g} to {:g} m, {} points", contours->GetNumberOfCells(),
     depths.size(), *depths.begin(), *depths.rbegin(), contours->GetNumberOfPoints()));
   console.say(fmt::format("wrote {} (open it in ParaView)", file.path()));
+}
+
+}
+
+CommandSpec contourSpec(Request& request)
+{
+  CommandSpec spec{ "contour", "draw depth contour lines into a .vtp file", true, {}, {} };
+  spec.options = { outputFile("-o,--output", "contour lines, .vtp", request.output.file, { ".vtp" }) };
+  spec.options.back().required = true;
+  add(spec.options, { flag("--compress", "compress the file (smaller, slower)", "Output", request.output.compress) });
+  add(spec.options, contourOptions(request.contour));
+  add(spec.options, seafloorOptions(request.seafloor.options));
+  spec.examples = "  swellray contour harbour.tif --levels 5,10,20 -o contours.vtp\n"
+                  "  swellray contour harbour.tif --interval 2 --simplify 5 -o contours.vtp\n";
+  spec.check = [](Request& asked) { checkContours(asked.contour); };
+  spec.run = runContour;
+  return spec;
 }
 
 }

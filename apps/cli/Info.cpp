@@ -1,4 +1,6 @@
 #include "Commands.h"
+#include "OptionGroups.h"
+#include "OptionKinds.h"
 
 #include "Pipeline.h"
 
@@ -90,12 +92,10 @@ nlohmann::ordered_json toJson(const SeafloorReport& report, const std::optional<
   return json;
 }
 
-}
-
 void runInfo(const Request& request, Console& console)
 {
   Pipeline pipeline(request, console);
-  vtkSwellSeafloorReader* reader = pipeline.readSeafloor();
+  vtkSwellSeafloorReader* reader = pipeline.readSeafloor(Pipeline::Notes::Keep);
   const SeafloorReport& report = *reader->GetReport();
   const std::optional<Trend> trend = trendOf(reader->GetOutput(), report.waterLevel);
   if (request.json)
@@ -119,6 +119,20 @@ void runInfo(const Request& request, Console& console)
   {
     std::printf("%s\n", fmt::format("{:<{}}  {}", label, width, text).c_str());
   }
+}
+
+}
+
+CommandSpec infoSpec(Request& request)
+{
+  CommandSpec spec{ "info", "tell what a seafloor file holds and how it is understood", true, {}, {} };
+  spec.options = { flag("--json", "print as JSON", "Output", request.json) };
+  add(spec.options, seafloorOptions(request.seafloor.options));
+  spec.examples = "  swellray info harbour.tif\n"
+                  "  swellray info soundings.nc --positive down --json\n"
+                  "  swellray info babbage\n";
+  spec.run = runInfo;
+  return spec;
 }
 
 }

@@ -51,8 +51,6 @@ void print(const FormDescription& form)
   }
 }
 
-}
-
 void runList()
 {
   std::printf("Built-in seafloors: NAME or NAME:key=value,...\n");
@@ -67,6 +65,17 @@ void runList()
   {
     print(form);
   }
+}
+
+}
+
+CommandSpec listSpec()
+{
+  CommandSpec spec{ "list", "list the built-in seafloors and currents with their keys, units and defaults", false, {},
+    {} };
+  spec.examples = "  swellray list\n";
+  spec.run = [](const Request&, Console&) { runList(); };
+  return spec;
 }
 
 }

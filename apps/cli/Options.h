@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Console.h"
 #include "Request.h"
 
 #include <functional>
@@ -28,24 +29,17 @@ struct OptionSpec
 /** One command: what it does, what it takes, and examples of it. */
 struct CommandSpec
 {
-  Command command = Command::Info;
   std::string name;
   std::string help;
   bool takesSeafloor = true;
   std::vector<OptionSpec> options;
   std::string examples;
+  std::function<void(Request&)> check =
+    nullptr; ///< checks that span several options, and what follows; throws UsageError
+  std::function<void(const Request&, Console&)> run = nullptr; ///< throws UsageError and WorkError
 };
 
-/**
- * All commands, in the order of the help. The options write into request, which must outlive them.
- * This is the one place where an option is described.
- */
+/** All commands, in the order of the help. The options write into request, which must outlive them. */
 std::vector<CommandSpec> commandSpecs(Request& request);
-
-/** Options that come before or after any command. */
-std::vector<OptionSpec> commonOptions(Request& request);
-
-/** Checks that span several options, and what follows from them. @throws UsageError */
-void checkTogether(Request& request);
 
 }

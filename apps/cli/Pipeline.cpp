@@ -143,8 +143,7 @@ bool isComplete(const std::string& path)
 }
 
 Pipeline::Pipeline(const Request& request, Console& console)
-  : Asked(request)
-  , Screen(console)
+  : Screen(console)
 {
   setUp(this->Reader, request.seafloor);
   setUp(this->Tracer, request.rays, request.seafloor.options.waterLevel);
@@ -160,7 +159,7 @@ Pipeline::Pipeline(const Request& request, Console& console)
   this->Heights->SetInputConnection(this->Tracer->GetOutputPort());
 }
 
-vtkSwellSeafloorReader* Pipeline::readSeafloor()
+vtkSwellSeafloorReader* Pipeline::readSeafloor(Notes notes)
 {
   try
   {
@@ -174,8 +173,7 @@ vtkSwellSeafloorReader* Pipeline::readSeafloor()
     }
     throw;
   }
-  // info prints them itself, with the rest of the report.
-  if (this->Asked.command != Command::Info)
+  if (notes == Notes::Say)
   {
     for (const std::string& note : this->Reader->GetReport()->notes)
     {

@@ -28,11 +28,15 @@ class Pipeline
 public:
   Pipeline(const Request& request, Console& console);
 
-  /**
-   * Read the seafloor, and say what a user should know about it.
-   * @throws WorkError; UsageError where the call is wrong about it
-   */
-  vtkSwellSeafloorReader* readSeafloor();
+  /** What a user should know about the seafloor: said at once, or left to the caller. */
+  enum class Notes
+  {
+    Say,
+    Keep
+  };
+
+  /** @throws WorkError; UsageError where the call is wrong about the seafloor */
+  vtkSwellSeafloorReader* readSeafloor(Notes notes = Notes::Say);
 
   vtkPolyData* makeContours(double waterLevel);
 
@@ -49,7 +53,6 @@ public:
   vtkPolyData* makeBreakerLines();
 
 private:
-  const Request& Asked;
   Console& Screen;
   vtkNew<vtkSwellSeafloorReader> Reader;
   vtkNew<vtkSwellContours> Contours;

@@ -1,4 +1,6 @@
 #include "Commands.h"
+#include "OptionGroups.h"
+#include "OptionKinds.h"
 
 #include "Chart.h"
 #include "Failure.h"
@@ -50,6 +52,19 @@ void checkSamePlace(vtkDataObject* lines, vtkDataObject* seafloor, const std::st
   }
 }
 
+void checkRender(Request& request)
+{
+  checkRays(request.rays);
+  checkContours(request.contour);
+  const RenderRequest& render = request.render;
+  if (request.rays.wanted && !render.rays.empty())
+  {
+    throw UsageError("--rays draws rays from a file, --period traces new ones; leave out one of the two");
+  }
+  if (!request.rays.wanted && render.rays.empty() && render.crests == CrestsFromRays)
+  {
+    throw UsageError("--crests auto needs rays: give --rays FILE, or --period, --direction and --height");
+  }
 }
 
 void runRender(const Request& request, Console& console)
@@ -104,6 +119,34 @@ void runRender(const Request& request, Console& console)
   }
   file.commit();
   console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), layout.width, layout.height));
+}
+
+}
+
+CommandSpec renderSpec(Request& request)
+{
+  CommandSpec spec{ "render", "draw the seafloor, its contour lines and rays as a picture", true, {}, {} };
+  RenderRequest& render = request.render;
+  OptionSpec size{ "--size", "WxH", "size of the picture, pixels", "1600 wide, high as the scene asks", "Picture",
+    false, {} };
+  size.set = [&render](const std::string& typed) { render.size = parseSize("--size", typed); };
+  spec.options = { outputFile("-o,--output", "picture, .png or .jpg", request.output.file, { ".png", ".jpg" }), size,
+    text("--rays", "FILE", "rays that 'swellray trace' wrote, .vtp", "", "Picture", render.rays),
+    text("--crests", "FILE|auto", "crest lines from a file, or made from the rays", "", "Picture", render.crests),
+    text("--color-by", "ARRAY", "colour the rays by this array, or 'none'", "WaveHeight", "Picture", render.colorBy),
+    text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
+  spec.options.front().required = true;
+  add(spec.options, contourOptions(request.contour));
+  add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, false));
+  add(spec.options, rayOptions(request.rays));
+  add(spec.options, seafloorOptions(request.seafloor.options));
+  spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"
+                  "  swellray render harbour.tif --period 14 --direction 135 --height 2 -o picture.png\n"
+                  "  swellray render harbour.tif --interval 5 --size 2400x1800 -o chart.png\n"
+                  "Where no display is set, an X server in memory (Xvfb) is started for the picture.\n";
+  spec.check = checkRender;
+  spec.run = runRender;
+  return spec;
 }
 
 }

@@ -14,16 +14,6 @@
 namespace swellray::cli
 {
 
-enum class Command
-{
-  Info,
-  Contour,
-  Trace,
-  List,
-  Render,
-  Validate,
-};
-
 /** The seafloor and how to read it. */
 struct SeafloorRequest
 {
@@ -96,7 +86,6 @@ struct OutputRequest
 /** One call of the program, checked. */
 struct Request
 {
-  Command command = Command::Info;
   SeafloorRequest seafloor;
   ContourRequest contour;
   RayRequest rays;

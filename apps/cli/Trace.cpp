@@ -1,4 +1,7 @@
 #include "Commands.h"
+#include "Failure.h"
+#include "OptionGroups.h"
+#include "OptionKinds.h"
 
 #include "FieldValues.h"
 #include "MapOutput.h"
@@ -161,6 +164,29 @@ void sayDefaults(vtkPolyData* rays, const Request& request, const Console& conso
       breakingInWords(request.rays)));
 }
 
+void checkTrace(Request& request)
+{
+  checkRays(request.rays);
+  const OutputRequest& output = request.output;
+  checkOutputs(output);
+  if (output.table.empty() != request.map.stations.empty())
+  {
+    throw UsageError("--stations and --table belong together; give both");
+  }
+  if (output.file.empty() && output.crests.empty() && output.breakerLine.empty() && output.map.empty() &&
+    output.table.empty())
+  {
+    throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp, --breaker-line FILE.vtp, --map "
+                     "FILE or --table FILE.csv");
+  }
+  if (!output.breakerLine.empty() && request.rays.height.breaking == BreakingRule::None)
+  {
+    throw UsageError("--breaker-line needs waves that break; leave out --breaking none");
+  }
+  if (request.map.spacing && output.map.empty())
+  {
+    throw UsageError("--map-spacing needs --map FILE");
+  }
 }
 
 void runTrace(const Request& request, Console& console)
@@ -230,6 +256,37 @@ void runTrace(const Request& request, Console& console)
     names += file.get() == tableFile ? "" : " " + file->path();
   }
   console.say(fmt::format("wrote    {}{}", written, names.empty() ? "" : "; open with: paraview" + names));
+}
+
+}
+
+CommandSpec traceSpec(Request& request)
+{
+  CommandSpec spec{ "trace", "trace wave rays over a seafloor: states, directions, heights", true, {}, {} };
+  spec.options = { outputFile("-o,--output", "rays, .vtp", request.output.file, { ".vtp" }),
+    outputFile("--crests", "crest lines, .vtp", request.output.crests, { ".vtp" }),
+    outputFile("--breaker-line", "lines where waves begin to break, .vtp", request.output.breakerLine, { ".vtp" }),
+    outputFile("--map", "wave heights and directions on a grid, .vti, .nc or .tif", request.output.map,
+      { ".vti", ".nc", ".tif" }),
+    text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
+    outputFile("--table", "waves at the stations, .csv", request.output.table, { ".csv" }),
+    flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
+  add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
+  add(spec.options, rayOptions(request.rays));
+  add(spec.options, mapOptions(request.map));
+  add(spec.options, seafloorOptions(request.seafloor.options));
+  spec.examples =
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp --crests crests.vtp\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --map heights.nc --map-spacing 25\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --table waves.csv\n"
+    "  swellray trace shoal --period 10 --direction 270 --height 1 --current eddy:U0=1.5,R=400 -o rays.vtp\n"
+    "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
+    "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
+    "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
+    "rays.vtp\n";
+  spec.check = checkTrace;
+  spec.run = runTrace;
+  return spec;
 }
 
 }

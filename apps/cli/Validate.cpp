@@ -1,5 +1,6 @@
 #include "Commands.h"
 #include "Failure.h"
+#include "OptionKinds.h"
 #include "OutputFile.h"
 #include "Values.h"
 #include "Version.h"
@@ -125,7 +126,8 @@ private:
   std::unique_ptr<OutputFile> Index;
 };
 
-}
+// Enough for any case to notice.
+const NumberRule Perturbation{ "", -0.5, 0.5 };
 
 void runValidate(const Request& request, Console& console)
 {
@@ -184,6 +186,43 @@ void runValidate(const Request& request, Console& console)
   {
     throw WorkError(fmt::format("{} of {} cases failed: {}", failed.size(), cases.size(), fmt::join(failed, ", ")));
   }
+}
+
+}
+
+CommandSpec validateSpec(Request& request)
+{
+  CommandSpec spec{ "validate", "compute the cases with known answers and say how far off they are", false, {}, {} };
+  ValidateRequest& validate = request.validate;
+  const char* group = "Cases";
+  OptionSpec names{ "--case", "NAME", "only cases whose names begin so; may be given several times", "all", group,
+    false, {} };
+  names.repeatable = true;
+  names.set = [&validate](const std::string& typed)
+  {
+    for (std::size_t from = 0; from <= typed.size();)
+    {
+      const std::size_t comma = std::min(typed.find(',', from), typed.size());
+      if (comma == from)
+      {
+        throw UsageError("--case needs the name of a case, or its beginning; see 'swellray validate --list'");
+      }
+      validate.cases.push_back(typed.substr(from, comma - from));
+      from = comma + 1;
+    }
+  };
+  spec.options = { names, flag("--list", "name the cases and stop", group, validate.list),
+    flag("--quick", "leave out what takes long: under one minute", group, validate.quick),
+    number("--perturb", "E", "make gravity wrong by this share, to check the checker: cases must fail", "0", group,
+      validate.perturb, Perturbation),
+    text("--report", "DIR", "write index.html, a picture and the numbers of each case to this folder", "", "Output",
+      validate.report) };
+  spec.examples = "  swellray validate\n"
+                  "  swellray validate --quick --report report\n"
+                  "  swellray validate --case c2_plane --case c4_shoal_gauss\n"
+                  "  swellray validate --quick --perturb 1e-3     # must fail: exit code 1\n";
+  spec.run = runValidate;
+  return spec;
 }
 
 }

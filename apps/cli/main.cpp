@@ -1,5 +1,4 @@
 #include "CommandLine.h"
-#include "Commands.h"
 #include "Failure.h"
 #include "FilterRun.h"
 #include "OutputFile.h"
@@ -15,34 +14,15 @@ namespace
 
 using namespace swellray::cli;
 
-void run(const Request& request)
+void run(const Call& call)
 {
+  const Request& request = call.request;
   if (request.threads > 0)
   {
     vtkSMPTools::Initialize(request.threads);
   }
   Console console(request.quiet);
-  switch (request.command)
-  {
-  case Command::Info:
-    runInfo(request, console);
-    break;
-  case Command::Contour:
-    runContour(request, console);
-    break;
-  case Command::Trace:
-    runTrace(request, console);
-    break;
-  case Command::List:
-    runList();
-    break;
-  case Command::Render:
-    runRender(request, console);
-    break;
-  case Command::Validate:
-    runValidate(request, console);
-    break;
-  }
+  call.run(call.request, console);
 }
 
 int report(const char* message, int code)
@@ -59,10 +39,10 @@ int main(int argc, char** argv)
   {
     installSignalHandlers();
     silenceVtk();
-    const auto request = readCommandLine(argc, argv);
-    if (request)
+    const auto call = readCommandLine(argc, argv);
+    if (call)
     {
-      run(*request);
+      run(*call);
     }
     if (std::fflush(stdout) != 0 || std::ferror(stdout))
     {

@@ -1,0 +1,281 @@
+#include "OptionGroups.h"
+
+#include "Failure.h"
+#include "OptionKinds.h"
+
+#include "sim/BuiltinCurrent.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <limits>
+#include <stdexcept>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+// A tolerance beyond these either cannot be met in double precision or says nothing.
+const NumberRule Tolerance{ "", 1e-14, 1e-2 };
+
+std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
+{
+  const char* group = "Rays";
+  OptionSpec lee = choice("--lee-rays", "insert rays in the lee of the shore, a model of diffraction", "on", group,
+    trace.leeRays, std::vector<std::pair<std::string, bool>>{ { "on", true }, { "off", false } });
+  OptionSpec maxRays{ "--max-rays", "N", "cap on the number of rays", fmt::format("{}", trace.maxRays), group, false,
+    {} };
+  maxRays.set = [&trace](const std::string& typed)
+  { trace.maxRays = static_cast<std::size_t>(parseWhole("--max-rays", typed, 1, 100'000'000)); };
+  OptionSpec maxFronts{ "--max-fronts", "N", "cap on the number of fronts", fmt::format("{}", trace.maxFronts), group,
+    false, {} };
+  maxFronts.set = [&trace](const std::string& typed)
+  { trace.maxFronts = static_cast<std::size_t>(parseWhole("--max-fronts", typed, 1, 100'000'000)); };
+  return {
+    number("--spacing", "M", "distance of the rays along the incident crest, m", "from the scene", group, trace.spacing,
+      PositiveMetres),
+    number("--max-spacing", "M", "insert a ray where two are further apart, m", "1.5 times the spacing", group,
+      trace.maxSpacing, PositiveMetres),
+    number("--steps-per-wave", "N", "fronts a wavelength", "8, or as the scene allows", group, trace.stepsPerWave,
+      PositiveNumber),
+    number("--step", "M", "fronts of equal length instead of equal phase, m", "", group, trace.step, PositiveMetres),
+    choice("--scheme", "integrate the ray equations, or Snell's law step by step (1997)", "ode", group, trace.scheme,
+      std::vector<std::pair<std::string, TraceScheme>>{ { "ode", TraceScheme::Ode }, { "snell", TraceScheme::Snell } }),
+    number("--tolerance", "E", "relative error a step of the integrator", "1e-8", group, trace.tolerance, Tolerance),
+    number("--flat-height", "M", "waves lower than this get no inserted rays, m", "a tenth of the height", group,
+      trace.flatHeight, NonNegativeMetres),
+    choice("--insert", "how inserted rays are made", "retrace", group, trace.insertion,
+      std::vector<std::pair<std::string, InsertionRule>>{ { "retrace", InsertionRule::Retrace },
+        { "interpolate", InsertionRule::Interpolate }, { "none", InsertionRule::None } }),
+    lee,
+    choice("--edge", "refraction between offshore and the edge of the grid", "contours", group, trace.edge,
+      std::vector<std::pair<std::string, EdgeRule>>{
+        { "contours", EdgeRule::Contours }, { "edge", EdgeRule::Edge }, { "none", EdgeRule::None } }),
+    number("--shore-normal", "DEG", "direction the offshore contours face, degrees", "from the scene", group,
+      trace.shoreNormal, Degrees),
+    number("--aground-depth", "M", "depth at which a ray is aground, m", "5 % of the height", group, trace.agroundDepth,
+      PositiveMetres),
+    maxRays,
+    maxFronts,
+  };
+}
+
+OptionSpec currentOption(RayRequest& rays)
+{
+  OptionSpec spec = text("--current", "FILE|NAME:key=value,...",
+    "steady current: a raster or .vti with u and v, or a built-in jet, shear or eddy", "still water", "Rays",
+    rays.current);
+  const auto setName = spec.set;
+  spec.set = [setName](const std::string& typed)
+  {
+    setName(typed);
+    std::error_code none;
+    if (isBuiltinCurrent(typed) || (typed.find(':') != std::string::npos && !std::filesystem::exists(typed, none)))
+    {
+      try
+      {
+        makeBuiltinCurrent(typed);
+      }
+      catch (const std::invalid_argument& error)
+      {
+        throw UsageError(fmt::format("--current: {}", error.what()));
+      }
+    }
+  };
+  return spec;
+}
+
+std::vector<OptionSpec> heightOptions(RayRequest& rays)
+{
+  const char* group = "Heights";
+  HeightOptions& height = rays.height;
+  return {
+    choice("--amplitude", "refraction from the spacing of rays, or the tube equation", "spacing", group,
+      height.amplitude,
+      std::vector<std::pair<std::string, AmplitudeRule>>{
+        { "spacing", AmplitudeRule::Spacing }, { "tube", AmplitudeRule::Tube } }),
+    choice("--caustics", "heights at caustics: limited by --kr-max, or infinite", "cap", group, rays.geometricCaustics,
+      std::vector<std::pair<std::string, bool>>{ { "cap", false }, { "geometric", true } }),
+    number("--kr-max", "K", "largest refraction coefficient", "3", group, rays.maxRefraction, PositiveNumber),
+    choice("--breaking", "limit of the height in shallow water", "gamma", group, height.breaking,
+      std::vector<std::pair<std::string, BreakingRule>>{ { "none", BreakingRule::None },
+        { "gamma", BreakingRule::Gamma }, { "weggel", BreakingRule::Weggel }, { "miche", BreakingRule::Miche },
+        { "dally", BreakingRule::Dally }, { "battjes-janssen", BreakingRule::BattjesJanssen } }),
+    number("--gamma", "G", "breaker index: height over depth", "0.78; battjes-janssen: by the steepness", group,
+      height.gamma, PositiveNumber),
+    number("--friction", "FW", "bottom friction factor of Jonsson", "0", group, height.friction, NonNegativeNumber),
+  };
+}
+
+bool sameFile(const std::string& a, const std::string& b)
+{
+  namespace fs = std::filesystem;
+  return fs::weakly_canonical(fs::absolute(a)) == fs::weakly_canonical(fs::absolute(b));
+}
+
+}
+
+std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor)
+{
+  const char* group = "Seafloor";
+  OptionSpec crop{ "--crop", "X0,Y0,X1,Y1", "keep this rectangle, in the grid's own coordinates", "", group, false,
+    {} };
+  crop.set = [&seafloor](const std::string& typed)
+  {
+    const auto values = parseNumbers("--crop", typed, PlainNumber);
+    if (values.size() != 4 || values[0] >= values[2] || values[1] >= values[3])
+    {
+      throw UsageError(fmt::format("--crop needs X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1, not '{}'", typed));
+    }
+    seafloor.crop = { values[0], values[1], values[2], values[3] };
+  };
+  return {
+    number("--water-level", "M", "height of the water above the file's zero (tide), m", "0", group, seafloor.waterLevel,
+      Metres),
+    choice("--positive", "sign of the file's values: elevation (up) or depth (down)", "auto", group, seafloor.positive,
+      std::vector<std::pair<std::string, Positive>>{
+        { "auto", Positive::Auto }, { "up", Positive::Up }, { "down", Positive::Down } }),
+    text("--crs", "CRS", "coordinate reference system of the file, as EPSG:28992, WKT or 'local'", "as the file says",
+      group, seafloor.crs),
+    crop,
+    number("--resample", "M", "resample to this spacing, m", "", group, seafloor.resample, PositiveMetres),
+    number("--smooth", "M", "smooth by a Gaussian of this standard deviation, m", "0", group, seafloor.smooth,
+      NonNegativeMetres),
+    number(
+      "--nodata", "V", "value that marks cells without data", "as the file says", group, seafloor.nodata, PlainNumber),
+    text("--variable", "NAME", "variable of a NetCDF file, or raster band", "the first that fits", group,
+      seafloor.variable),
+    number("--max-gap", "M", "fill gaps up to this width, m", "5 cells", group, seafloor.maxGap, NonNegativeMetres),
+  };
+}
+
+std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool required)
+{
+  const char* group = "Incident wave";
+  OptionSpec period = number("--period", "S", "wave period, s", "", group, wave.period, PositiveSeconds);
+  const auto setPeriod = period.set;
+  period.set = [setPeriod, &wanted](const std::string& typed)
+  {
+    setPeriod(typed);
+    wanted = true;
+  };
+  OptionSpec direction = number("--direction", "DEG", "where the waves come from, degrees clockwise from north", "",
+    group, wave.directionFrom, Degrees);
+  OptionSpec height =
+    number("--height", "M", "wave height offshore, crest to trough, m", "", group, wave.height, PositiveMetres);
+  period.required = direction.required = height.required = required;
+
+  OptionSpec depth{ "--offshore-depth", "M|deep", "depth in which height and direction are given, m", "deep", group,
+    false, {} };
+  depth.set = [&wave](const std::string& typed)
+  {
+    wave.offshoreDepth = typed == "deep" ? std::numeric_limits<double>::infinity()
+                                         : parseNumber("--offshore-depth", typed, PositiveMetres);
+  };
+  return { period, direction, height, depth,
+    number("--gravity", "G", "acceleration of gravity, m/s2", "9.81", group, wave.gravity, PositiveNumber) };
+}
+
+std::vector<OptionSpec> rayOptions(RayRequest& rays)
+{
+  std::vector<OptionSpec> options = tracingOptions(rays.trace);
+  options.push_back(currentOption(rays));
+  add(options, heightOptions(rays));
+  return options;
+}
+
+std::vector<OptionSpec> contourOptions(ContourRequest& contour)
+{
+  OptionSpec levels{ "--levels", "D1,D2,...", "depths of the lines, m", "", "Contours", false, {} };
+  levels.set = [&contour](const std::string& typed) { contour.levels = parseNumbers("--levels", typed, Metres); };
+  return { levels,
+    number("--interval", "M", "a line every so many metres of depth", "about ten lines", "Contours", contour.interval,
+      PositiveMetres),
+    number("--simplify", "M", "leave out points that matter less than this, m", "0", "Contours", contour.simplify,
+      NonNegativeMetres) };
+}
+
+std::vector<OptionSpec> mapOptions(MapRequest& map)
+{
+  const char* group = "Maps and stations";
+  return { number("--map-spacing", "M", "distance of the nodes of the map, m", "that of the seafloor", group,
+             map.spacing, PositiveMetres),
+    choice("--combine", "waves of rays that cross: add their energies, or let them interfere", "energy", group,
+      map.combine,
+      std::vector<std::pair<std::string, CombineRule>>{
+        { "energy", CombineRule::Energy }, { "phase", CombineRule::Phase } }) };
+}
+
+std::vector<OptionSpec> commonOptions(Request& request)
+{
+  OptionSpec threads{ "--threads", "N", "threads to use", "all of the machine", "General", false, {} };
+  threads.set = [&request](const std::string& typed)
+  { request.threads = static_cast<int>(parseWhole("--threads", typed, 1, 1024)); };
+  return { threads, flag("--quiet", "no progress and no summary", "General", request.quiet) };
+}
+
+void checkRays(RayRequest& rays)
+{
+  if (rays.geometricCaustics && rays.maxRefraction)
+  {
+    throw UsageError("--kr-max belongs to --caustics cap; leave out one of the two");
+  }
+  if (rays.geometricCaustics)
+  {
+    rays.height.maxRefraction = std::numeric_limits<double>::infinity();
+  }
+  else if (rays.maxRefraction)
+  {
+    rays.height.maxRefraction = *rays.maxRefraction;
+  }
+  try
+  {
+    rays.height.validate();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw UsageError(error.what());
+  }
+  if (!rays.current.empty() && rays.trace.scheme == TraceScheme::Snell)
+  {
+    throw UsageError("--scheme snell knows no current; leave out --current, or take --scheme ode");
+  }
+  if (rays.trace.spacing && rays.trace.maxSpacing && *rays.trace.maxSpacing < *rays.trace.spacing)
+  {
+    throw UsageError(fmt::format(
+      "--max-spacing must be at least --spacing, {:g} metres, not {:g}", *rays.trace.spacing, *rays.trace.maxSpacing));
+  }
+}
+
+void checkContours(const ContourRequest& contour)
+{
+  if (!contour.levels.empty() && contour.interval)
+  {
+    throw UsageError("--levels and --interval exclude each other; leave out one of the two");
+  }
+}
+
+void checkOutputs(const OutputRequest& output)
+{
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const auto& file : { std::make_pair("--output", output.file), std::make_pair("--crests", output.crests),
+         std::make_pair("--breaker-line", output.breakerLine), std::make_pair("--map", output.map),
+         std::make_pair("--table", output.table) })
+  {
+    for (const auto& other : files)
+    {
+      if (!file.second.empty() && sameFile(other.second, file.second))
+      {
+        throw UsageError(fmt::format("{} and {} name the same file; give two", other.first, file.first));
+      }
+    }
+    if (!file.second.empty())
+    {
+      files.emplace_back(file);
+    }
+  }
+}
+
+}

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "Options.h"
+
+namespace swellray::cli
+{
+
+// Groups of options that several commands share; they write into the parts of a request.
+
+std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor);
+
+/**
+ * @param wanted set where a period is given
+ * @param required the command does nothing without a wave
+ */
+std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool required);
+
+/** How rays are traced, on which current, and how heights are found: with waveOptions all that rays depend on. */
+std::vector<OptionSpec> rayOptions(RayRequest& rays);
+
+std::vector<OptionSpec> contourOptions(ContourRequest& contour);
+
+std::vector<OptionSpec> mapOptions(MapRequest& map);
+
+/** Options that come before or after any command. */
+std::vector<OptionSpec> commonOptions(Request& request);
+
+/** Checks that span several of these options, and what follows from them. @throws UsageError */
+void checkRays(RayRequest& rays);
+void checkContours(const ContourRequest& contour);
+
+/** No two of the files to write are the same. @throws UsageError */
+void checkOutputs(const OutputRequest& output);
+
+}
