@@ -24,9 +24,12 @@ struct SeafloorOptions
   Positive positive = Positive::Auto;
   std::string crs;              ///< anything GDAL takes (EPSG:n, WKT, PROJ); "local": metres; empty: the file's own
   std::optional<double> nodata; ///< value, as stored in the file, that stands for no data, beside the file's own
-  std::optional<double> maxGap; ///< widest gap at the border of the grid that is filled, m, >= 0; 5 cells
+  std::optional<double> maxGap; ///< widest gap at the border of the grid that is filled, m, >= 0; 5 cells.
+                                ///< Soundings: see gridSoundings()
   std::string variable;         ///< variable of a NetCDF file, or number or description of a raster band
   double waterLevel = 0.0;      ///< m, positive up
+  bool dropOutliers = false;    ///< soundings: those far off their natural neighbours take no part
+  bool crossValidate = false;   ///< soundings: measure the error by leaving out a tenth at a time, ten times
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;

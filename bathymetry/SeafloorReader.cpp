@@ -1,5 +1,6 @@
 #include "bathymetry/SeafloorReader.h"
 
+#include "bathymetry/CrsChoice.h"
 #include "bathymetry/FileGrid.h"
 #include "bathymetry/FillGaps.h"
 #include "bathymetry/RasterSource.h"
@@ -17,12 +18,6 @@ namespace swellray
 
 namespace
 {
-
-// Slope, rms, above which coordinates that fit longitude and latitude are taken for degrees.
-constexpr double AbsurdSlope = 100.0;
-
-// No place on Earth is further from the sea's level, m.
-constexpr double FarthestElevation = 12000.0;
 
 // Scale error of the map above which it is said aloud.
 constexpr double NotableScaleError = 0.005;
@@ -109,46 +104,6 @@ double rmsSlope(const FileGrid& file)
   return count > 0.0 ? std::sqrt(squares / count) : 0.0;
 }
 
-struct CrsChoice
-{
-  std::string crs;
-  std::string source;
-};
-
-CrsChoice chooseCrs(
-  const FileGrid& file, const RasterHeader& header, const SeafloorOptions& options, std::vector<std::string>& notes)
-{
-  if (!options.crs.empty())
-  {
-    return { plain(options.crs) == "local" ? std::string() : crsToWkt(options.crs), "as asked" };
-  }
-  if (!header.crs.empty())
-  {
-    return { header.crs, header.crsSource.empty() ? "file" : header.crsSource };
-  }
-  const Rectangle extent = file.extent();
-  const bool fits = extent.low.x >= -180.0 && extent.high.x <= 360.0 && extent.low.y >= -90.0 && extent.high.y <= 90.0;
-  const double slope = rmsSlope(file);
-  if (fits && slope > AbsurdSlope)
-  {
-    notes.push_back(
-      "no CRS: taken as longitude and latitude (WGS 84), because its coordinates fit them and its slope " +
-      ("would be " + text(slope, 3)) + " (rms) if they were metres; --crs overrides");
-    return { "EPSG:4326", "assumed" };
-  }
-  notes.push_back(std::string("no CRS: coordinates taken as metres, because ") +
-    (fits ? "its slope is then " + text(slope, 3) + " (rms)" : "they do not fit longitude and latitude") +
-    "; --crs overrides");
-  return { "", "assumed" };
-}
-
-bool isLongitudes(const RasterHeader& header, const SeafloorOptions& options)
-{
-  const std::string& crs = options.crs.empty() ? header.crs : options.crs;
-  return !crs.empty() && plain(crs) != "local" &&
-    Georeference(crs, glm::dvec2(0.0), glm::dvec2(0.0)).kind() == GeoreferenceKind::Geographic;
-}
-
 // A mark for missing data that the file does not declare looks like a deep sea.
 void noteLikelyMark(const FileGrid& file, const VerticalMeaning& meaning, std::vector<std::string>& notes)
 {
@@ -202,7 +157,7 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
   const std::unique_ptr<RasterSource> source = openRaster(path, options.variable);
   const RasterHeader& header = source->header();
   const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
-  FileGrid file = readElevations(*source, options, isLongitudes(header, options), meaning);
+  FileGrid file = readElevations(*source, options, isLongitudes(options.crs, header.crs), meaning);
   report(execution, 0.3);
 
   said.path = path;
@@ -224,7 +179,8 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
   noteLikelyMark(file, meaning, said.notes);
   requireWater(file, options, meaning);
 
-  const CrsChoice choice = chooseCrs(file, header, options, said.notes);
+  const CrsChoice choice = chooseCrs(
+    options.crs, header.crs, header.crsSource, file.extent(), [&file] { return rmsSlope(file); }, said.notes);
   const Georeference place = placeGrid(file, choice.crs);
   const GapCount gaps = fillGaps(file.values, cellSize(file, place), options.maxGap);
   said.noDataRead = gaps.filled + gaps.left;

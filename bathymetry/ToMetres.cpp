@@ -1,5 +1,6 @@
 #include "bathymetry/ToMetres.h"
 
+#include "bathymetry/GridLayout.h"
 #include "bathymetry/InscribedRectangle.h"
 #include "bathymetry/Text.h"
 #include "sim/SplineSeafloor.h"
@@ -17,10 +18,6 @@ namespace
 
 // Points of the outline a side: the chord between two stays within a thousandth of a cell of a mapped edge.
 constexpr std::size_t OutlinePoints = 256;
-
-// Widest scene that one transverse Mercator map may hold, degrees: at 30 degrees from the meridian on the equator
-// its scale is off by 15 %.
-constexpr double WidestScene = 60.0;
 
 glm::dvec2 fileToPoint(const Georeference& georeference, const FileGrid& file, const glm::dvec2& index)
 {
@@ -42,38 +39,6 @@ std::vector<glm::dvec2> outline(const FileGrid& file, const Georeference& georef
     }
   }
   return points;
-}
-
-// Nodes at equal distances that fit a length.
-std::size_t nodesIn(double length, double spacing)
-{
-  constexpr double rounding = 1e-9;
-  const double steps = std::floor(length / spacing * (1.0 + rounding) + rounding);
-  return steps < static_cast<double>(MostNodes) ? static_cast<std::size_t>(std::max(0.0, steps)) + 1 : MostNodes + 1;
-}
-
-ElevationGrid layOut(const Rectangle& box, const glm::dvec2& spacing, bool centred)
-{
-  ElevationGrid grid;
-  grid.spacing = spacing;
-  grid.columns = nodesIn(box.size().x, spacing.x);
-  grid.rows = nodesIn(box.size().y, spacing.y);
-  const std::string size =
-    text(spacing.x) + " x " + text(spacing.y) + " m on " + text(box.size().x) + " x " + text(box.size().y) + " m";
-  if (grid.columns < FewestNodes || grid.rows < FewestNodes)
-  {
-    throw std::runtime_error("a grid of " + size + " has fewer than 4 x 4 nodes; choose a smaller --resample");
-  }
-  if (grid.columns > MostNodes / grid.rows)
-  {
-    throw std::runtime_error("a grid of " + size + " has more than " + std::to_string(MostNodes / 1000000) +
-      " million nodes; choose a larger --resample or a --crop");
-  }
-  const glm::dvec2 covered =
-    spacing * glm::dvec2(static_cast<double>(grid.columns - 1), static_cast<double>(grid.rows - 1));
-  grid.origin = box.low + (centred ? 0.5 * (box.size() - covered) : glm::dvec2(0.0));
-  grid.elevation.resize(grid.columns * grid.rows);
-  return grid;
 }
 
 // Places of the nodes of one row, in nodes of the file. The map is computed at every few nodes and interpolated by
@@ -163,6 +128,8 @@ void sample(ElevationGrid& grid, const FileGrid& file, const Georeference& geore
     });
 }
 
+}
+
 double largestScaleError(const Rectangle& box, const Georeference& georeference)
 {
   constexpr int steps = 16;
@@ -176,8 +143,6 @@ double largestScaleError(const Rectangle& box, const Georeference& georeference)
     }
   }
   return largest;
-}
-
 }
 
 Georeference placeGrid(FileGrid& file, const std::string& crs)
@@ -248,7 +213,7 @@ MetricGrid toMetres(const FileGrid& file, const Georeference& georeference, cons
     spacing = glm::dvec2(*resample);
   }
   const Rectangle box = inscribedRectangle(outline(file, georeference));
-  result.grid = layOut(box, spacing, !straight);
+  result.grid = layOutGrid(box, spacing, !straight);
   result.resampled = true;
   sample(result.grid, file, georeference, execution);
   if (geographic)

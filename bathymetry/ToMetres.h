@@ -7,6 +7,12 @@
 namespace swellray
 {
 
+/**
+ * Widest scene that one transverse Mercator map may hold, degrees: at 30 degrees from the meridian on the equator its
+ * scale is off by 15 %.
+ */
+constexpr double WidestScene = 60.0;
+
 /** A grid in metres and where it lies. */
 struct MetricGrid
 {
@@ -24,6 +30,9 @@ struct MetricGrid
  * @throws std::runtime_error a CRS that cannot be understood or does not fit the coordinates
  */
 Georeference placeGrid(FileGrid& file, const std::string& crs);
+
+/** Largest |map length / true length - 1| in a box of a scene, m. */
+double largestScaleError(const Rectangle& box, const Georeference& georeference);
 
 /** Distances of nodes at the centre of a grid, m: along a row, along a column. */
 glm::dvec2 cellSize(const FileGrid& file, const Georeference& georeference);

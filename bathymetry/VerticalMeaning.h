@@ -18,6 +18,9 @@ struct VerticalMetadata
   std::string ruleSource;   ///< what fixes it
 };
 
+/** No place on Earth is further from the sea's level, m. */
+constexpr double FarthestElevation = 12000.0;
+
 /** How to make elevations in metres, positive up, of a file's values: elevation = factor * value. */
 struct VerticalMeaning
 {
