@@ -1,7 +1,6 @@
 #include "MapOutput.h"
 
 #include "FieldValues.h"
-#include "FilterRun.h"
 #include "Pipeline.h"
 
 #include "bathymetry/MapWriter.h"
@@ -13,7 +12,6 @@
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkSwellMap.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkXMLImageDataWriter.h>
 
@@ -67,6 +65,10 @@ MapImage imageOf(vtkImageData* map, const Request& request)
     variable.standardName = quantity.standardName;
     variable.flagMeanings = quantity.flagMeanings;
     vtkDataArray* array = map->GetPointData()->GetArray(quantity.name);
+    if (!array)
+    {
+      continue;
+    }
     if (auto* numbers = vtkDoubleArray::SafeDownCast(array))
     {
       variable.numbers = numbers->GetPointer(0);
@@ -84,43 +86,10 @@ MapImage imageOf(vtkImageData* map, const Request& request)
   return image;
 }
 
-// Share of the nodes in water that no ray reaches.
-void sayCoverage(vtkImageData* map, const Console& console)
-{
-  vtkDataArray* depth = map->GetPointData()->GetArray("Depth");
-  vtkDataArray* count = map->GetPointData()->GetArray("RayCount");
-  vtkIdType wet = 0;
-  vtkIdType covered = 0;
-  vtkIdType crossed = 0;
-  for (vtkIdType i = 0; i < map->GetNumberOfPoints(); ++i)
-  {
-    wet += depth->GetComponent(i, 0) > 0.0 ? 1 : 0;
-    covered += count->GetComponent(i, 0) > 0.0 ? 1 : 0;
-    crossed += count->GetComponent(i, 0) > 1.0 ? 1 : 0;
-  }
-  const auto share = [=](vtkIdType part)
-  { return wet > 0 ? 100.0 * static_cast<double>(part) / static_cast<double>(wet) : 0.0; };
-  const int* size = map->GetDimensions();
-  console.say(
-    fmt::format("map      {} x {} nodes {:.4g} m apart; rays reach {:.3g} % of those in water, several {:.3g} %",
-      size[0], size[1], map->GetSpacing()[0], share(covered), share(crossed)));
 }
 
-}
-
-void writeMap(
-  vtkPolyData* rays, vtkImageData* seafloor, const OutputFile& file, const Request& request, Console& console)
+void writeMap(vtkImageData* map, const OutputFile& file, const Request& request, Console& console)
 {
-  vtkNew<vtkSwellMap> filter;
-  filter->SetInputData(0, rays);
-  filter->SetInputData(1, seafloor);
-  filter->SetWaterLevel(request.seafloor.options.waterLevel);
-  filter->SetSpacing(request.map.spacing.value_or(0.0));
-  filter->SetCombineRule(request.map.combine == CombineRule::Phase ? vtkSwellMap::PHASE : vtkSwellMap::ENERGY);
-  runFilter(filter, "map", console);
-  vtkImageData* map = filter->GetOutput();
-  sayCoverage(map, console);
-
   const std::string ending = std::filesystem::path(file.path()).extension().string();
   if (ending == ".vti")
   {

@@ -4,7 +4,6 @@
 #include "Request.h"
 
 class vtkImageData;
-class vtkPolyData;
 
 namespace swellray::cli
 {
@@ -12,10 +11,10 @@ namespace swellray::cli
 class Console;
 
 /**
- * Make a map of rays with heights and write it to the file's hidden name: .vti, .nc or .tif by its ending.
+ * Write a map to the file's hidden name: .vti, .nc or .tif by its ending; the latter two with the arrays that are known
+ * quantities.
  * @throws WorkError
  */
-void writeMap(
-  vtkPolyData* rays, vtkImageData* seafloor, const OutputFile& file, const Request& request, Console& console);
+void writeMap(vtkImageData* map, const OutputFile& file, const Request& request, Console& console);
 
 }

@@ -2,17 +2,13 @@
 
 #include "Console.h"
 #include "Failure.h"
-#include "FieldValues.h"
-#include "FilterRun.h"
 
 #include <fmt/format.h>
 
-#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkSwellStations.h>
 
 #include <algorithm>
 #include <cctype>
@@ -26,15 +22,6 @@ namespace swellray::cli
 
 namespace
 {
-
-constexpr const char* Columns[] = { "Elevation", "Depth", "WaveHeight", "DirectionFrom", "Wavelength", "Breaking",
-  "LeeRay", "RayCount" };
-
-// Columns that are whole numbers, and empty where there is no wave.
-bool isWhole(const std::string& name)
-{
-  return name == "Breaking" || name == "LeeRay" || name == "RayCount";
-}
 
 std::string trimmed(const std::string& text)
 {
@@ -163,53 +150,47 @@ StationTable::StationTable(const std::string& path)
   }
 }
 
-void StationTable::write(
-  vtkPolyData* rays, vtkImageData* seafloor, const OutputFile& file, const Request& request, Console& console) const
+vtkSmartPointer<vtkPolyData> StationTable::places(const Georeference& scene) const
 {
-  const Georeference georeference = georeferenceOf(seafloor);
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   for (const Station& station : this->Stations)
   {
-    if (georeference.kind() == GeoreferenceKind::Geographic && !(std::abs(station.y) <= 90.0))
+    if (scene.kind() == GeoreferenceKind::Geographic && !(std::abs(station.y) <= 90.0))
     {
       throw WorkError(fmt::format("'{}' line {}: latitude {:g} is not within -90 to 90; the columns are lon,lat",
         this->Path, station.number, station.y));
     }
-    const glm::dvec2 place = georeference.fromFile({ station.x, station.y });
+    const glm::dvec2 place = scene.fromFile({ station.x, station.y });
     points->InsertNextPoint(place.x, place.y, 0.0);
   }
-  vtkNew<vtkPolyData> stations;
+  auto stations = vtkSmartPointer<vtkPolyData>::New();
   stations->SetPoints(points);
-  vtkNew<vtkSwellStations> filter;
-  filter->SetInputData(0, rays);
-  filter->SetInputData(1, seafloor);
-  filter->SetInputData(2, stations);
-  filter->SetWaterLevel(request.seafloor.options.waterLevel);
-  filter->SetCombineRule(
-    request.map.combine == CombineRule::Phase ? vtkSwellStations::PHASE : vtkSwellStations::ENERGY);
-  runFilter(filter, "stations", console);
+  return stations;
+}
 
-  vtkPointData* values = filter->GetOutput()->GetPointData();
+void StationTable::write(vtkPointData* values, const std::vector<std::string>& columns, const std::string& wave,
+  const OutputFile& file, Console& console) const
+{
   std::ofstream table(file.temporary(), std::ios::trunc);
   table << this->Heading;
-  for (const char* name : Columns)
+  for (const std::string& name : columns)
   {
     table << ',' << name;
   }
   table << '\n';
-  vtkDataArray* count = values->GetArray("RayCount");
   vtkIdType without = 0;
   for (std::size_t i = 0; i < this->Stations.size(); ++i)
   {
     const auto tuple = static_cast<vtkIdType>(i);
-    const bool reached = count->GetComponent(tuple, 0) > 0.0;
+    const bool reached = std::isfinite(values->GetArray(wave.c_str())->GetComponent(tuple, 0));
     without += reached ? 0 : 1;
     table << this->Stations[i].line;
-    for (const char* name : Columns)
+    for (const std::string& name : columns)
     {
-      const double value = values->GetArray(name)->GetComponent(tuple, 0);
-      const bool known = std::isfinite(value) && (reached || !isWhole(name) || std::string(name) == "RayCount");
+      vtkDataArray* array = values->GetArray(name.c_str());
+      const double value = array->GetComponent(tuple, 0);
+      const bool known = std::isfinite(value) && (reached || array->GetDataType() != VTK_UNSIGNED_CHAR);
       table << ',' << (known ? fmt::format("{:.10g}", value) : "");
     }
     table << '\n';
@@ -223,7 +204,7 @@ void StationTable::write(
   if (without > 0)
   {
     console.warn(fmt::format(
-      "no ray came to {} of {} points of '{}': their fields are empty", without, this->Stations.size(), this->Path));
+      "no wave came to {} of {} points of '{}': their fields are empty", without, this->Stations.size(), this->Path));
   }
 }
 

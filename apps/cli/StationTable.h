@@ -1,12 +1,15 @@
 #pragma once
 
 #include "OutputFile.h"
-#include "Request.h"
+
+#include "bathymetry/Georeference.h"
+
+#include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
 
-class vtkImageData;
+class vtkPointData;
 class vtkPolyData;
 
 namespace swellray::cli
@@ -26,13 +29,19 @@ public:
   /** @throws WorkError naming the file, and the line that is no point */
   explicit StationTable(const std::string& path);
 
+  /** The points in the plane of a scene, m. @throws WorkError naming the line of one that lies nowhere */
+  vtkSmartPointer<vtkPolyData> places(const Georeference& scene) const;
+
   /**
-   * Write the points with the waves at them to the file's hidden name. A value that is not known is an empty field;
-   * how many points have none is said.
+   * Write the points, each with its values, to the file's hidden name. A value that is not finite is an empty field; so
+   * are the flags (bytes) of a point that has no wave. How many points have none is said.
+   * @param values one tuple a point
+   * @param columns names of arrays of one component
+   * @param wave the column that is not finite where there is no wave
    * @throws WorkError
    */
-  void write(
-    vtkPolyData* rays, vtkImageData* seafloor, const OutputFile& file, const Request& request, Console& console) const;
+  void write(vtkPointData* values, const std::vector<std::string>& columns, const std::string& wave,
+    const OutputFile& file, Console& console) const;
 
 private:
   struct Station

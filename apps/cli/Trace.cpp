@@ -6,6 +6,7 @@
 #include "FieldValues.h"
 #include "MapOutput.h"
 #include "Pipeline.h"
+#include "RayValues.h"
 #include "StationTable.h"
 
 #include "sim/RayField.h"
@@ -233,11 +234,15 @@ void runTrace(const Request& request, Console& console)
   }
   if (mapFile)
   {
-    writeMap(rays, seafloor, *mapFile, request, console);
+    writeMap(mapOfRays(rays, seafloor, request, console), *mapFile, request, console);
   }
   if (tableFile)
   {
-    stations->write(rays, seafloor, *tableFile, request, console);
+    const auto places = stations->places(georeferenceOf(seafloor));
+    const auto waves = wavesAt(places, rays, seafloor, request, console);
+    stations->write(waves->GetPointData(),
+      { "Elevation", "Depth", "WaveHeight", "DirectionFrom", "Wavelength", "Breaking", "LeeRay", "RayCount" },
+      "WaveHeight", *tableFile, console);
   }
   for (const auto& file : files)
   {
