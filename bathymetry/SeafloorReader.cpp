@@ -189,7 +189,7 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
 
   if (!file.axisAligned())
   {
-    said.notes.push_back("the grid is rotated: resampled to north up");
+    said.notes.push_back("the grid is rotated: resampled to north up; what lies outside of it is a hole");
   }
   MetricGrid metric = toMetres(file, place, options.resample, execution);
   report(execution, 0.9);

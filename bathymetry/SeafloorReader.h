@@ -25,9 +25,10 @@ struct Bathymetry
  * Nodes are the centres of the file's cells. In this order: the part asked for is read, values become elevations,
  * gaps are filled (fillGaps()), the grid is brought to metres, smoothed (smoothGrid()).
  *
- * Longitude and latitude, and rotated grids, are resampled once by their own C2 spline (SplineSeafloor), on the
- * largest axis-aligned rectangle in the mapped outline, with the metric cell sizes at the centre as spacing unless
- * `resample` is set; map: Georeference, centred on the scene. Other grids keep their nodes; the point (0, 0) is the
+ * Longitude and latitude, and rotated grids, are resampled once by their own C2 spline (SplineSeafloor) with the metric
+ * cell sizes at the centre as spacing unless `resample` is set; map: Georeference, centred on the scene. An upright
+ * grid of longitudes and latitudes is resampled on the largest axis-aligned rectangle in its mapped outline, a rotated
+ * one on the box around it, where nodes outside of it are holes. Other grids keep their nodes; the point (0, 0) is the
  * south-west node.
  *
  * @throws std::invalid_argument an option out of range

@@ -5,6 +5,8 @@
 #include "bathymetry/Text.h"
 #include "sim/SplineSeafloor.h"
 
+#include <glm/common.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -39,6 +41,17 @@ std::vector<glm::dvec2> outline(const FileGrid& file, const Georeference& georef
     }
   }
   return points;
+}
+
+Rectangle boxAround(const std::vector<glm::dvec2>& points)
+{
+  Rectangle box{ points.front(), points.front() };
+  for (const glm::dvec2& p : points)
+  {
+    box.low = glm::min(box.low, p);
+    box.high = glm::max(box.high, p);
+  }
+  return box;
 }
 
 // Places of the nodes of one row, in nodes of the file. The map is computed at every few nodes and interpolated by
@@ -104,6 +117,11 @@ void sample(ElevationGrid& grid, const FileGrid& file, const Georeference& geore
 {
   const SplineSeafloor spline(file.values);
   const glm::dvec2 last = file.lastIndex();
+  // An upright grid lies inside of the file; a rotated file lies inside of the grid.
+  constexpr double rounding = 1e-6; // nodes
+  const bool reachesOut = !file.axisAligned();
+  const auto isOutside = [&last](const glm::dvec2& index)
+  { return index.x < -rounding || index.y < -rounding || index.x > last.x + rounding || index.y > last.y + rounding; };
   execution.forRange(grid.rows,
     [&](std::size_t begin, std::size_t end)
     {
@@ -115,8 +133,9 @@ void sample(ElevationGrid& grid, const FileGrid& file, const Georeference& geore
         for (std::size_t column = 0; column < grid.columns; ++column)
         {
           glm::dvec2 index = places(column);
+          const bool outside = reachesOut && isOutside(index);
           index = glm::dvec2(std::clamp(index.x, 0.0, last.x), std::clamp(index.y, 0.0, last.y));
-          if (spline.isHole(index))
+          if (outside || spline.isHole(index))
           {
             grid.at(column, row) = std::numeric_limits<double>::quiet_NaN();
             continue;
@@ -212,7 +231,8 @@ MetricGrid toMetres(const FileGrid& file, const Georeference& georeference, cons
   {
     spacing = glm::dvec2(*resample);
   }
-  const Rectangle box = inscribedRectangle(outline(file, georeference));
+  const std::vector<glm::dvec2> edge = outline(file, georeference);
+  const Rectangle box = file.axisAligned() ? inscribedRectangle(edge) : boxAround(edge);
   result.grid = layOutGrid(box, spacing, !straight);
   result.resampled = true;
   sample(result.grid, file, georeference, execution);
