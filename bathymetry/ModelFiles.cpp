@@ -112,9 +112,19 @@ std::optional<ModelGrid> readMatrices(const fs::path& path)
 
 ModelGrid readDelft3dFiles(const fs::path& path)
 {
+  // An XBeach run may use such a grid; its params.txt then says which way its depths count.
+  std::error_code error;
+  const fs::path params = path.parent_path() / "params.txt";
+  if (fs::exists(params, error))
+  {
+    const std::string text = readTextFile(params.string());
+    if (fs::path(Settings(text).word("xyfile")).filename() == path.filename())
+    {
+      return readXbeachGrid(text, besides(path));
+    }
+  }
   fs::path depth = path;
   depth.replace_extension(".dep");
-  std::error_code error;
   if (!fs::exists(depth, error))
   {
     const std::vector<fs::path> candidates = filesBeside(path, ".dep");

@@ -13,7 +13,8 @@ namespace swellray
  * - SWAN: the command file, .swn (readSwanGrid())
  * - XBeach: params.txt (readXbeachGrid())
  * - STWAVE: .sim (readStwaveGrid())
- * - Delft3D: .mdf, or .grd with the .dep file of the same name, or the only one, beside it (readDelft3dGrid())
+ * - Delft3D: .mdf, or .grd with the .dep file of the same name, or the only one, beside it (readDelft3dGrid()), or as
+ *   the params.txt beside it says, where that names it
  * - matrices of z, x and y: z_NAME.grd or NAME_z.dep with the same name in x and y beside it (readMatrixGrid())
  * - a survey table of the Field Research Facility: .grid (readFrfTable())
  * - Celeris: a .txt matrix with its configuration, a .json file beside it that has its size (readCelerisGrid())

@@ -1,11 +1,16 @@
 #include "bathymetry/ModelGrid.h"
 
+#include "bathymetry/CrsChoice.h"
+#include "bathymetry/MeshSpacing.h"
 #include "sim/Angles.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <stdexcept>
 
 namespace swellray
 {
@@ -113,6 +118,54 @@ bool ModelGrid::makeRegular()
   this->rowStep = across;
   this->places.clear();
   return true;
+}
+
+Soundings soundingsOf(ModelGrid&& grid)
+{
+  Soundings soundings;
+  soundings.driver = grid.format;
+  soundings.vertical = grid.vertical;
+  soundings.crs = grid.crs;
+  soundings.crsSource = grid.crsSource;
+  soundings.notes = std::move(grid.notes);
+  constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(grid.places.size(), none);
+  for (std::size_t i = 0; i < grid.places.size(); ++i)
+  {
+    const glm::dvec2& place = grid.places[i];
+    if (std::isfinite(place.x + place.y))
+    {
+      number[i] = static_cast<std::uint32_t>(soundings.size());
+      soundings.add(place.x, place.y, grid.values[i]);
+    }
+  }
+
+  soundings.cellOffsets.push_back(0);
+  for (std::size_t row = 0; row + 1 < grid.rows; ++row)
+  {
+    for (std::size_t column = 0; column + 1 < grid.columns; ++column)
+    {
+      const std::size_t corner = row * grid.columns + column;
+      const std::size_t corners[] = { corner, corner + 1, corner + grid.columns + 1, corner + grid.columns };
+      if (std::any_of(std::begin(corners), std::end(corners), [&](std::size_t i) { return number[i] == none; }))
+      {
+        continue;
+      }
+      for (const std::size_t i : corners)
+      {
+        soundings.cellNodes.push_back(number[i]);
+      }
+      soundings.cellOffsets.push_back(soundings.cellNodes.size());
+    }
+  }
+  const double spacing = fineSpacing(soundings, !grid.crs.empty() && isLongitudes("", grid.crs));
+  if (!(spacing > 0.0))
+  {
+    throw std::runtime_error("its grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
+      " nodes has no cell with four nodes");
+  }
+  soundings.spacing = spacing;
+  return soundings;
 }
 
 std::unique_ptr<RasterSource> rasterOf(ModelGrid&& grid)

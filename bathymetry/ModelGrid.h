@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bathymetry/RasterSource.h"
+#include "bathymetry/Soundings.h"
 
 #include <glm/vec2.hpp>
 
@@ -45,5 +46,12 @@ struct ModelGrid
 
 /** A regular model grid as a raster. */
 std::unique_ptr<RasterSource> rasterOf(ModelGrid&& grid);
+
+/**
+ * The nodes of a curvilinear grid, and its cells with four nodes as cells. Their nominal spacing is
+ * fineSpacing().
+ * @throws std::runtime_error where no cell has four nodes
+ */
+Soundings soundingsOf(ModelGrid&& grid);
 
 }

@@ -1,7 +1,6 @@
 #include "bathymetry/RasterSource.h"
 
 #include "bathymetry/GdalRaster.h"
-#include "bathymetry/ModelFiles.h"
 #include "bathymetry/NetcdfRaster.h"
 #include "bathymetry/QuietGdal.h"
 
@@ -55,10 +54,6 @@ std::unique_ptr<RasterSource> openRaster(const std::string& path, const std::str
   if (!exists && path.find(':') == std::string::npos)
   {
     throw std::runtime_error("no such file");
-  }
-  if (std::optional<ModelGrid> model = readModelGrid(path))
-  {
-    return rasterOf(std::move(*model));
   }
   GDALDriverH driver = GDALIdentifyDriverEx(path.c_str(), GDAL_OF_RASTER, nullptr, nullptr);
   const std::string name = driver ? GDALGetDriverShortName(driver) : "";

@@ -3,10 +3,13 @@
 #include "bathymetry/CrsChoice.h"
 #include "bathymetry/FileGrid.h"
 #include "bathymetry/FillGaps.h"
+#include "bathymetry/GridSoundings.h"
+#include "bathymetry/ModelFiles.h"
 #include "bathymetry/RasterSource.h"
 #include "bathymetry/SmoothGrid.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/ToMetres.h"
+#include "bathymetry/UgridMesh.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,73 +142,34 @@ void countShares(const ElevationGrid& grid, double waterLevel, SeafloorReport& r
   report.noDataShare = static_cast<double>(grid.elevation.size() - water - land) / total;
 }
 
-void requireWater(const FileGrid& file, const SeafloorOptions& options, const VerticalMeaning& meaning)
+void requireWater(const ElevationGrid& grid, const SeafloorOptions& options, const VerticalMeaning& meaning)
 {
-  const auto& z = file.values.elevation;
+  const auto& z = grid.elevation;
   if (std::none_of(z.begin(), z.end(), [&options](double e) { return e < options.waterLevel; }))
   {
     throw std::runtime_error("it has no cell below the water level of " + text(options.waterLevel) + " m (elevations " +
-      wordsForRange(file.values) + "); if its values are " +
+      wordsForRange(grid) + "); if its values are " +
       (meaning.factor > 0.0 ? "depths, say --positive down" : "elevations, say --positive up"));
   }
 }
 
-Bathymetry read(const std::string& path, const SeafloorOptions& options, const Execution& execution)
+// Smooth the grid of a seafloor and say what it has become.
+void finish(
+  Bathymetry& result, const VerticalMeaning& meaning, const SeafloorOptions& options, const Execution& execution)
 {
-  Bathymetry result;
   SeafloorReport& said = result.report;
-  const std::unique_ptr<RasterSource> source = openRaster(path, options.variable);
-  const RasterHeader& header = source->header();
-  const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
-  FileGrid file = readElevations(*source, options, isLongitudes(options.crs, header.crs), meaning);
-  report(execution, 0.3);
-
-  said.path = path;
-  said.driver = header.driver;
-  said.variable = header.variable;
-  said.fileColumns = header.columns;
-  said.fileRows = header.rows;
-  said.readColumns = file.values.columns;
-  said.readRows = file.values.rows;
-  said.fileExtent = file.extent();
-  said.fileSpacing = { std::hypot(file.columnStep.x, file.columnStep.y), std::hypot(file.rowStep.x, file.rowStep.y) };
+  smoothGrid(result.grid, options.smooth, execution);
   said.units = meaning.units;
   said.unitsSource = meaning.unitsSource;
   said.sign = meaning.sign;
   said.signSource = meaning.signSource;
   said.waterLevel = options.waterLevel;
-  said.notes = header.notes;
-  said.notes.insert(said.notes.end(), meaning.notes.begin(), meaning.notes.end());
-  noteLikelyMark(file, meaning, said.notes);
-  requireWater(file, options, meaning);
-
-  const CrsChoice choice = chooseCrs(
-    options.crs, header.crs, header.crsSource, file.extent(), [&file] { return rmsSlope(file); }, said.notes);
-  const Georeference place = placeGrid(file, choice.crs);
-  const GapCount gaps = fillGaps(file.values, cellSize(file, place), options.maxGap);
-  said.noDataRead = gaps.filled + gaps.left;
-  said.filled = gaps.filled;
-  report(execution, 0.5);
-
-  if (!file.axisAligned())
-  {
-    said.notes.push_back("the grid is rotated: resampled to north up; what lies outside of it is a hole");
-  }
-  MetricGrid metric = toMetres(file, place, options.resample, execution);
-  report(execution, 0.9);
-  smoothGrid(metric.grid, options.smooth, execution);
-
-  result.grid = std::move(metric.grid);
-  result.georeference = metric.georeference;
   said.crsName = result.georeference.crsName();
-  said.crsSource = choice.source;
   said.kind = result.georeference.kind();
   said.columns = result.grid.columns;
   said.rows = result.grid.rows;
   said.spacing = result.grid.spacing;
   said.extent = result.grid.bounds();
-  said.resampled = metric.resampled;
-  said.scaleError = metric.scaleError;
   countShares(result.grid, options.waterLevel, said);
   if (said.waterShare == 0.0)
   {
@@ -222,8 +186,89 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
     said.notes.push_back("distances on the map are off by up to " + text(100.0 * said.scaleError, 2) +
       " %; --crop for a smaller scene, with less");
   }
+}
+
+Bathymetry readScattered(
+  const std::string& path, const Soundings& soundings, const SeafloorOptions& options, const Execution& execution)
+{
+  Bathymetry result;
+  SeafloorReport& said = result.report;
+  GriddedSoundings gridded = gridSoundings(soundings, options, execution);
+  result.grid = std::move(gridded.grid);
+  result.georeference = gridded.georeference;
+  requireWater(result.grid, options, gridded.meaning);
+  said.path = path;
+  said.driver = soundings.driver;
+  said.variable = soundings.variable;
+  said.fileExtent = gridded.fileExtent;
+  said.crsSource = gridded.crsSource;
+  said.scaleError = gridded.scaleError;
+  said.soundings = gridded.report;
+  said.notes = gridded.notes;
+  finish(result, gridded.meaning, options, execution);
+  return result;
+}
+
+Bathymetry readRaster(
+  const std::string& path, const RasterSource& source, const SeafloorOptions& options, const Execution& execution)
+{
+  Bathymetry result;
+  SeafloorReport& said = result.report;
+  const RasterHeader& header = source.header();
+  const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
+  FileGrid file = readElevations(source, options, isLongitudes(options.crs, header.crs), meaning);
+  report(execution, 0.3);
+
+  said.path = path;
+  said.driver = header.driver;
+  said.variable = header.variable;
+  said.fileColumns = header.columns;
+  said.fileRows = header.rows;
+  said.readColumns = file.values.columns;
+  said.readRows = file.values.rows;
+  said.fileExtent = file.extent();
+  said.fileSpacing = { std::hypot(file.columnStep.x, file.columnStep.y), std::hypot(file.rowStep.x, file.rowStep.y) };
+  said.notes = header.notes;
+  said.notes.insert(said.notes.end(), meaning.notes.begin(), meaning.notes.end());
+  noteLikelyMark(file, meaning, said.notes);
+  requireWater(file.values, options, meaning);
+
+  const CrsChoice choice = chooseCrs(
+    options.crs, header.crs, header.crsSource, file.extent(), [&file] { return rmsSlope(file); }, said.notes);
+  const Georeference place = placeGrid(file, choice.crs);
+  const GapCount gaps = fillGaps(file.values, cellSize(file, place), options.maxGap);
+  said.noDataRead = gaps.filled + gaps.left;
+  said.filled = gaps.filled;
+  report(execution, 0.5);
+
+  if (!file.axisAligned())
+  {
+    said.notes.push_back("the grid is rotated: resampled to north up; what lies outside of it is a hole");
+  }
+  MetricGrid metric = toMetres(file, place, options.resample, execution);
+  report(execution, 0.9);
+  result.grid = std::move(metric.grid);
+  result.georeference = metric.georeference;
+  said.crsSource = choice.source;
+  said.resampled = metric.resampled;
+  said.scaleError = metric.scaleError;
+  finish(result, meaning, options, execution);
   report(execution, 1.0);
   return result;
+}
+
+Bathymetry read(const std::string& path, const SeafloorOptions& options, const Execution& execution)
+{
+  if (std::optional<ModelGrid> model = readModelGrid(path))
+  {
+    return model->places.empty() ? readRaster(path, *rasterOf(std::move(*model)), options, execution)
+                                 : readScattered(path, soundingsOf(std::move(*model)), options, execution);
+  }
+  if (const std::optional<Soundings> mesh = readUgridMesh(path, options.variable))
+  {
+    return readScattered(path, *mesh, options, execution);
+  }
+  return readRaster(path, *openRaster(path, options.variable), options, execution);
 }
 
 }

@@ -31,12 +31,15 @@ std::vector<std::pair<std::string, std::string>> SeafloorReport::lines() const
 
   add("File", this->path);
   add("Format", this->driver + (this->variable.empty() ? "" : ", " + this->variable));
-  std::string size = std::to_string(this->fileColumns) + " x " + std::to_string(this->fileRows);
-  if (this->readColumns != this->fileColumns || this->readRows != this->fileRows)
+  if (this->fileColumns > 0)
   {
-    size += ", read " + std::to_string(this->readColumns) + " x " + std::to_string(this->readRows);
+    std::string size = std::to_string(this->fileColumns) + " x " + std::to_string(this->fileRows);
+    if (this->readColumns != this->fileColumns || this->readRows != this->fileRows)
+    {
+      size += ", read " + std::to_string(this->readColumns) + " x " + std::to_string(this->readRows);
+    }
+    add("Size", size);
   }
-  add("Size", size);
   const char* const kinds[] = { "none, local metres", "projected", "longitude and latitude" };
   const std::string kindName = kinds[static_cast<int>(this->kind)];
   add("CRS",
@@ -45,8 +48,16 @@ std::vector<std::pair<std::string, std::string>> SeafloorReport::lines() const
   add("File extent",
     range(this->fileExtent.low.x, this->fileExtent.high.x, coordinateDigits) + ", " +
       range(this->fileExtent.low.y, this->fileExtent.high.y, coordinateDigits));
-  add("File spacing", text(this->fileSpacing.x, 8) + " x " + text(this->fileSpacing.y, 8));
+  if (this->fileColumns > 0)
+  {
+    add("File spacing", text(this->fileSpacing.x, 8) + " x " + text(this->fileSpacing.y, 8));
+  }
   add("Values", this->units + " (" + this->unitsSource + "), " + this->sign + " (" + this->signSource + ")");
+  if (this->soundings)
+  {
+    const auto said = this->soundings->lines();
+    result.insert(result.end(), said.begin(), said.end());
+  }
   add("Grid",
     std::to_string(this->columns) + " x " + std::to_string(this->rows) + " of " + text(this->spacing.x, 5) + " x " +
       text(this->spacing.y, 5) + " m" + (this->resampled ? ", resampled" : ""));

@@ -1,9 +1,11 @@
 #pragma once
 
 #include "bathymetry/Georeference.h"
+#include "bathymetry/SoundingReport.h"
 #include "sim/Seafloor.h"
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -15,9 +17,9 @@ namespace swellray
 struct SeafloorReport
 {
   std::string path;
-  std::string driver; ///< GDAL's short name of the format
+  std::string driver; ///< name of the format, GDAL's short one where it reads it
   std::string variable;
-  std::size_t fileColumns = 0; ///< nodes of the whole file
+  std::size_t fileColumns = 0; ///< nodes of the whole file; 0 where it has no rows and columns
   std::size_t fileRows = 0;
   std::size_t readColumns = 0; ///< nodes of the part that was read
   std::size_t readRows = 0;
@@ -47,6 +49,8 @@ struct SeafloorReport
   std::string unitsSource;
   std::string sign;       ///< of the values, as understood
   std::string signSource; ///< e.g. "positive attribute", "assumed"
+
+  std::optional<SoundingReport> soundings; ///< of a survey or a mesh without rows and columns
 
   std::vector<std::string> notes; ///< what a user should know, one line each
 

@@ -162,7 +162,8 @@ void Parser::addCommand(const CommandSpec& spec)
   {
     command.seafloor = command.app->add_option(
       "seafloor", [](const CLI::results_t&) { return true; },
-      "a file, or a built-in form NAME:key=value,... (see 'swellray list')");
+      "a raster, a mesh, a model's .swn, params.txt, .sim or .grd, or a built-in form NAME:key=value,... (see "
+      "'swellray list')");
     command.seafloor->type_name("")->expected(1);
   }
   for (const OptionSpec& option : spec.options)

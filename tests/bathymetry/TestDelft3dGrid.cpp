@@ -174,6 +174,62 @@ TEST(XbeachGrid, WhatCannotBeReadSaysWhy)
 
 using Delft3dFileTest = SeafloorFileTest;
 
+TEST_F(Delft3dFileTest, CurvilinearGridIsGriddedWhereItHasCells)
+{
+  // Half a ring, 10 m along the radius and up to 16 m along the circle; its fifth part beside (0, 140) is cut out.
+  const int columns = 60;
+  const int rows = 30;
+  const auto place = [](int column, int row)
+  {
+    const double angle = 3.14159265358979323846 * (column + 0.5) / columns;
+    return (100.0 + 10.0 * row) * glm::dvec2(std::cos(angle), std::sin(angle));
+  };
+  const Bed bed = waves(200.0);
+  const auto isCut = [](int column, int row) { return std::abs(column - 30) < 6 && row < 10; };
+  const auto coordinate = [&](bool northward)
+  {
+    std::string text;
+    for (int row = 0; row < rows; ++row)
+    {
+      text += "ETA= " + std::to_string(row + 1) + " " +
+        lines(columns, 1,
+          [&](int column, int)
+          {
+            const glm::dvec2 p = place(column, row);
+            return isCut(column, row) ? 0.0 : northward ? p.y : p.x;
+          });
+    }
+    return text;
+  };
+  writeText(this->Files.file("a.grd"), "60 30\n0 0 0\n" + coordinate(false) + coordinate(true));
+  writeText(this->Files.file("a.dep"),
+    lines(columns + 1, rows + 1,
+      [&](int column, int row) { return column == columns || row == rows ? -999.0 : -bed(place(column, row)); }));
+  const Bathymetry read = readSeafloor(this->Files.file("a.grd"));
+  ASSERT_TRUE(read.report.soundings);
+  // Natural neighbours are linear in between: 20 m waves of 200 m a radian, 16 m apart.
+  constexpr double gridded = 0.05;
+  EXPECT_LT(largestError(read, bed), gridded);
+  std::size_t wrong = 0;
+  for (std::size_t row = 0; row < read.grid.rows; ++row)
+  {
+    for (std::size_t column = 0; column < read.grid.columns; ++column)
+    {
+      const glm::dvec2 p = read.georeference.toFile(read.grid.node(column, row));
+      const double radius = std::hypot(p.x, p.y);
+      const double angle = std::atan2(p.y, p.x) / 3.14159265358979323846 * columns - 0.5;
+      // Clear of the rim, which is a polygon.
+      const bool inside = radius > 101.0 && radius < 388.0 && angle > 0.05 && angle < 58.95;
+      const bool outside = radius < 98.0 || radius > 391.0 || angle < -0.05 || angle > 59.05;
+      const bool cut = radius < 199.0 && std::abs(angle - 30.0) < 5.9;
+      const bool nearCut = radius < 201.0 && std::abs(angle - 30.0) < 6.1;
+      const bool hole = std::isnan(read.grid.at(column, row));
+      wrong += (hole && inside && !nearCut) || (!hole && (outside || (cut && inside))) ? 1 : 0;
+    }
+  }
+  EXPECT_EQ(wrong, 0u) << "holes are where the grid has no cells, and nowhere else";
+}
+
 TEST_F(Delft3dFileTest, DepthsAreFoundBesideTheGrid)
 {
   const auto file = [this](const std::string& name) { return this->Files.file(name); };
@@ -191,4 +247,7 @@ TEST_F(Delft3dFileTest, DepthsAreFoundBesideTheGrid)
   writeText(file("run.mdf"), "Filcco = #a.grd#\nFildep = #bed.dep#\nDpsopt = #DP#\n");
   EXPECT_THAT(failureOf([&] { readModelGrid(file("run.mdf")); }), HasSubstr("cells' centres"));
   EXPECT_FALSE(readModelGrid(file("none.grd")));
+  EXPECT_EQ(readModelGrid(file("a.grd"))->vertical.rule, "down");
+  writeText(file("params.txt"), "gridform = delft3d\nxyfile = a.grd\ndepfile = bed.dep\nposdwn = 0\n");
+  EXPECT_EQ(readModelGrid(file("a.grd"))->vertical.rule, "up") << "as the run says that uses it";
 }

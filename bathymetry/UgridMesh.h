@@ -1,0 +1,22 @@
+#pragma once
+
+#include "bathymetry/Soundings.h"
+
+#include <optional>
+#include <string>
+
+namespace swellray
+{
+
+/**
+ * Values on the nodes of an unstructured mesh in a NetCDF file that follows the UGRID conventions (1.0): a variable with
+ * cf_role mesh_topology names the coordinates of the nodes and the nodes of each face.
+ *
+ * @param variable of the values; empty: the only one on the nodes, or the only one whose standard name is that of a
+ *   seafloor
+ * @return nothing where the file is no NetCDF file or holds no such mesh
+ * @throws std::runtime_error where it holds one that cannot be understood
+ */
+std::optional<Soundings> readUgridMesh(const std::string& path, const std::string& variable);
+
+}
