@@ -309,6 +309,10 @@ Deck readDeck(const std::string& text)
   Deck deck;
   for (const Command& command : commandsOf(text))
   {
+    if (command.empty())
+    {
+      continue;
+    }
     if (is(command[0], "cgrid", 2))
     {
       readComputationalGrid(command, deck);

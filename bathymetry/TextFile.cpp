@@ -67,11 +67,12 @@ std::string readTextFile(const std::string& path)
 
 bool parseNumber(std::string_view word, double& value)
 {
-  if (!word.empty() && word[0] == '+')
+  // A sign +, which is not followed by another one.
+  if (word.size() > 1 && word[0] == '+' && word[1] != '-')
   {
     word.remove_prefix(1);
   }
-  if (word.empty() || word[0] == '+' || word.size() > LongestNumber)
+  if (word.empty() || word.size() > LongestNumber)
   {
     return false;
   }

@@ -125,7 +125,7 @@ Parser::Parser(int argc, char** argv)
   this->App.require_subcommand(0, 1);
   this->App.allow_extras();
   this->App.footer("\n'swellray COMMAND --help' shows the options of a command and examples.\n"
-                   "SEAFLOOR is a file (any raster that GDAL reads, .vti) or a built-in form; see 'swellray list'.\n\n"
+                   "SEAFLOOR is a file (raster, mesh, grid of a wave model, .vti) or a built-in form; see 'swellray list'.\n\n"
                    "Examples:\n"
                    "  swellray info harbour.tif\n"
                    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp\n"
