@@ -183,8 +183,10 @@ BreakerLines extractBreakerLines(
         continue;
       }
       const RayPlace& place = onsets[ray][number];
-      const bool apart = !run.empty() && maxGap > 0.0 &&
-        glm::distance(vectorAt(rays.positions, run.back()), vectorAt(rays.positions, place)) > maxGap;
+      const glm::dvec2 here = vectorAt(rays.positions, place);
+      const glm::dvec2 before = run.empty() ? here : vectorAt(rays.positions, run.back());
+      const bool apart = (maxGap > 0.0 && glm::distance(before, here) > maxGap) ||
+        (rays.obstacles && rays.obstacles->crosses(before, here));
       if (apart || rays.launchSegment[ray] != segment)
       {
         finish();

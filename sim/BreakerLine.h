@@ -15,6 +15,7 @@ namespace swellray
 struct BreakerRays
 {
   std::size_t rays = 0;
+  const Obstacles* obstacles = nullptr;        ///< no line goes on across them; null: none
   const std::int64_t* offsets = nullptr;       ///< rays + 1 entries into the point arrays
   const double* launchParameter = nullptr;     ///< a ray, m
   const std::int32_t* launchSegment = nullptr; ///< a ray

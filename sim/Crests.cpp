@@ -176,7 +176,7 @@ Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& s
 
 }
 
-CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t every)
+CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t every, const Obstacles* obstacles)
 {
   if (every < 1)
   {
@@ -210,7 +210,8 @@ CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t ever
   {
     return lines.launchSegment[sorted[a.order]] == lines.launchSegment[sorted[b.order]] &&
       (b.order == a.order + 1 || !ended.any(a.order + 1, b.order)) &&
-      (!(maxGap > 0.0) || glm::distance(positionAt(lines, a.place), positionAt(lines, b.place)) <= maxGap);
+      (!(maxGap > 0.0) || glm::distance(positionAt(lines, a.place), positionAt(lines, b.place)) <= maxGap) &&
+      !(obstacles && obstacles->crosses(positionAt(lines, a.place), positionAt(lines, b.place)));
   };
   CrestLines crests;
   for (std::size_t i = 0; i < crossings.numbers.size(); ++i)

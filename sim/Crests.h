@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/Obstacles.h"
+
 #include <glm/vec2.hpp>
 
 #include <cstddef>
@@ -37,12 +39,14 @@ struct CrestLines
 
 /**
  * Lines of equal phase S = 2 pi n over neighbouring rays. A line breaks where a ray between two others has
- * ended, between launch segments, and where two neighbours are further apart than maxGap (m; 0: no limit).
+ * ended, between launch segments, where two neighbours are further apart than maxGap (m; 0: no limit), and where an
+ * obstacle stands between them.
  * Places lie on the straight line between two points of a ray; a ray alone makes no line.
  * @param lines rays whose phase increases along them
  * @param every only crests whose number is a multiple of this, >= 1
  * @throws std::invalid_argument every < 1; std::runtime_error where a ray begins or ends with a phase that is not finite or beyond 1e7 waves
  */
-CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t every = 1);
+CrestLines extractCrests(
+  const RayLines& lines, double maxGap, std::int64_t every = 1, const Obstacles* obstacles = nullptr);
 
 }

@@ -38,7 +38,8 @@ bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
   }
   const Ray& a = this->standing(at);
   const Ray& b = this->standing(at + 1);
-  if (a.waiting || b.waiting || !(glm::length(b.place.position - a.place.position) > this->MaxSpacing))
+  if (a.waiting || b.waiting || !(glm::length(b.place.position - a.place.position) > this->MaxSpacing) ||
+    (this->Medium.obstacles && this->Medium.obstacles->crosses(a.place.position, b.place.position)))
   {
     return false;
   }
@@ -67,7 +68,7 @@ bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
     return true;
   }
   kind = Insertion::Lee;
-  return this->Options.leeRays && water.state != RayState::Flat && gap > FinestLeeGap;
+  return this->Options.leeRays && water.state != RayState::Flat && gap > FinestLeeGap && water.info.reflections == 0;
 }
 
 std::optional<double> FrontMarch::wavenumberAt(const glm::dvec2& position, const glm::dvec2& direction) const
@@ -101,8 +102,9 @@ std::optional<RayStart> FrontMarch::startBetween(const Ray& a, const Ray& b) con
   start.wavenumber = k * direction;
   // The tube between the two, by differences.
   const double gap = b.info.launchParameter - a.info.launchParameter;
-  start.dPosition = (b.place.position - a.place.position) / gap;
-  start.dWavenumber = k * (directionB - directionA) / gap;
+  const double sign = a.info.reflections % 2 == 0 ? 1.0 : -1.0; // as the mirror turns it
+  start.dPosition = sign * (b.place.position - a.place.position) / gap;
+  start.dWavenumber = sign * k * (directionB - directionA) / gap;
   start.phase = 0.5 * (a.place.phase + b.place.phase);
   start.travelTime = 0.5 * (a.place.travelTime + b.place.travelTime);
   start.length = this->frontValue();
@@ -120,6 +122,9 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
   ray.info.launchSegment = a.info.launchSegment;
   ray.info.parent = static_cast<std::int32_t>(this->Order[job.after].ray);
   ray.info.lee = job.kind == Insertion::Lee || a.info.lee || b.info.lee;
+  ray.info.reflections = a.info.reflections;
+  ray.info.reflection = a.info.reflection;
+  ray.wallNormal = a.wallNormal;
 
   RayStart start;
   if (job.kind == Insertion::Retrace)
@@ -128,6 +133,12 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
     start = this->launch(ray.info.launchParameter, segment);
     if (this->measureOf(start) > target)
     {
+      return;
+    }
+    const Mirrored mirrored = this->mirror(ray, start, target);
+    if (mirrored != Mirrored::Done)
+    {
+      job.severed = mirrored == Mirrored::Elsewhere;
       return;
     }
   }
@@ -140,7 +151,9 @@ void FrontMarch::makeInsertion(InsertionJob& job, double target) const
       return;
     }
     start = *between;
-    if (this->Medium.depth(start.position) < this->Medium.agroundDepth || this->Medium.seafloor->isHole(start.position))
+    if (this->Medium.depth(start.position) < this->Medium.agroundDepth ||
+      this->Medium.seafloor->isHole(start.position) ||
+      (this->Medium.obstacles && this->Medium.obstacles->inside(start.position)))
     {
       return;
     }
@@ -207,6 +220,7 @@ void FrontMarch::insertRays()
       {
         order.push_back({ static_cast<std::uint32_t>(this->Rays.size()), true });
         this->Rays.push_back(std::move(job->ray));
+        this->remember(static_cast<std::uint32_t>(this->Rays.size() - 1));
         inserted = true;
       }
       else

@@ -113,9 +113,10 @@ RayField FrontMarch::run()
           this->advance(this->standing(i), target);
         }
       });
-    this->settleEnded();
+    this->reflectEnded();
     this->insertRays();
     this->settleShore();
+    this->findBlocked();
     this->measureSpacing();
     this->markFlat();
     this->recordFront();
@@ -192,6 +193,8 @@ void FrontMarch::launchAll()
   {
     this->Order[i].ray = static_cast<std::uint32_t>(i);
     this->Order[i].linked = i + 1 < rays && this->Rays[i].info.launchSegment == this->Rays[i + 1].info.launchSegment;
+    this->FirstMirror = std::max(this->FirstMirror, this->Rays[i].info.launchSegment + 1);
+    this->remember(static_cast<std::uint32_t>(i));
   }
 }
 
@@ -242,7 +245,9 @@ void FrontMarch::walkOn(Ray& ray, double target) const
   const double ahead = std::max(0.0, target - ray.measure);
   const double k = ray.walk.wavenumber();
   const double distance = this->Measure == FrontMeasure::Phase ? ahead / k : ahead;
-  if (!ray.walk.advance(distance) || glm::dot(ray.walk.direction(), this->Wave.direction()) < LargestTurn)
+  const glm::dvec2 from = ray.walk.position();
+  if (!ray.walk.advance(distance) || glm::dot(ray.walk.direction(), this->Wave.direction()) < LargestTurn ||
+    (this->Medium.obstacles && this->Medium.obstacles->crosses(from, ray.walk.position())))
   {
     ray.state = RayState::Dead;
     return;
@@ -375,7 +380,7 @@ void FrontMarch::settleShore()
 const FrontMarch::Ray* FrontMarch::neighbour(std::size_t at, int step, const Ray& self) const
 {
   const bool linked = step > 0 ? this->Order[at].linked : at > 0 && this->Order[at - 1].linked;
-  if (!linked)
+  if (!linked || this->Order[step > 0 ? at : at - 1].blocked)
   {
     return nullptr;
   }
@@ -467,7 +472,6 @@ void FrontMarch::measureSpacing()
 void FrontMarch::markFlat()
 {
   const double flatHeight = this->Options.flatHeight.value_or(FlatShare * this->Wave.height);
-  const double groupSpeed0 = this->Wave.groupSpeed();
   for (std::size_t i = 0; i < this->Order.size(); ++i)
   {
     Ray& ray = this->standing(i);
@@ -475,13 +479,17 @@ void FrontMarch::markFlat()
     {
       continue;
     }
-    const RayPoint& place = ray.place;
-    const double width = std::isfinite(place.spacingWidth) ? place.spacingWidth : std::abs(place.tubeWidth);
-    const WaveSpeeds speeds = waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity);
-    const double height = this->Wave.height *
-      shoalingCoefficient(place, speeds, groupSpeed0, this->Medium.angularFrequency) * refractionCoefficient(width);
-    ray.state = height < flatHeight ? RayState::Flat : RayState::Alive;
+    ray.state = this->heightOf(ray) < flatHeight ? RayState::Flat : RayState::Alive;
   }
+}
+
+double FrontMarch::heightOf(const Ray& ray) const
+{
+  const RayPoint& place = ray.place;
+  const double width = std::isfinite(place.spacingWidth) ? place.spacingWidth : std::abs(place.tubeWidth);
+  const WaveSpeeds speeds = waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity);
+  return this->Wave.height * ray.info.reflection * refractionCoefficient(width) *
+    shoalingCoefficient(place, speeds, this->Wave.groupSpeed(), this->Medium.angularFrequency);
 }
 
 void FrontMarch::recordFront()
@@ -519,6 +527,7 @@ void FrontMarch::finishRemaining(EndReason reason)
 
 RayField FrontMarch::collect()
 {
+  this->splitMirrors();
   for (const Standing& standing : this->Order)
   {
     // A ray the march did not come to has its launch point.

@@ -8,6 +8,8 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <vector>
 
 namespace swellray
@@ -37,15 +39,18 @@ private:
     RayPoint place;                  // on the current front
     std::array<RayPoint, 2> between; // launch, and grounding or end, since the last front
     int betweenCount = 0;
-    double measure = 0.0;   // phase or length reached
-    bool launching = false; // its place on this front is its launch point
+    double measure = 0.0;         // phase or length reached
+    bool launching = false;       // its place on this front is its launch point
+    std::int32_t reflected = -1;  // the ray in which it goes on from a wall
+    glm::dvec2 wallNormal{ 0.0 }; // of the wall that reflected it
   };
 
   /** A ray in its place along the front. */
   struct Standing
   {
     std::uint32_t ray = 0;
-    bool linked = false; // the next one is its neighbour
+    bool linked = false;  // the next one is its neighbour
+    bool blocked = false; // but on this front an obstacle stands between the two
   };
 
   enum class Insertion
@@ -62,6 +67,20 @@ private:
     Ray ray;
     bool keep = false;
     bool severed = false; // what would stand between has left the scene: the two are no neighbours any more
+  };
+
+  /** Rays of one launch segment that one obstacle reflects: while tracing, they have a launch segment of their own. */
+  struct Mirror
+  {
+    std::int32_t from = 0; // launch segment
+    std::size_t obstacle = 0;
+  };
+
+  enum class Mirrored
+  {
+    Done,
+    NotYet,    // the wall lies beyond the front
+    Elsewhere, // another wall, or none
   };
 
   struct Record
@@ -82,8 +101,19 @@ private:
   void insertRays();
   bool wantsInsertion(std::size_t at, Insertion& kind) const;
   void makeInsertion(InsertionJob& job, double target) const;
+  Mirrored mirror(Ray& ray, RayStart& start, double target) const;
   std::optional<double> wavenumberAt(const glm::dvec2& position, const glm::dvec2& direction) const;
   std::optional<RayStart> startBetween(const Ray& a, const Ray& b) const;
+  void reflectEnded();
+  bool goesOn(const Ray& ray) const;
+  std::int32_t mirrorSegment(std::int32_t from, std::size_t obstacle);
+  Ray reflectedRay(std::uint32_t index);
+  void stand(std::uint32_t index);
+  bool areNeighbours(const Ray& a, const Ray& b) const;
+  void remember(std::uint32_t index);
+  void splitMirrors();
+  void findBlocked();
+  double heightOf(const Ray& ray) const;
   void measureSpacing();
   double spacingWidth(std::size_t at) const;
   const Ray* neighbour(std::size_t at, int step, const Ray& self) const;
@@ -114,6 +144,10 @@ private:
   std::vector<Ray> Rays;
   std::vector<Standing> Order;
   std::vector<std::vector<Record>> Records; // a front each
+  std::vector<Mirror> Mirrors;              // launch segment FirstMirror + i
+  std::int32_t FirstMirror = 0;
+  std::set<std::tuple<std::int32_t, double, std::uint32_t>>
+    Family; // launch segment, parameter, ray: where walls reflect
   std::size_t Points = 0;
   std::size_t Evaluations = 0;
   bool RayCapReached = false;

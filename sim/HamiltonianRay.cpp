@@ -77,6 +77,8 @@ HamiltonianRay::HamiltonianRay(const RayMedium& medium, const RayStart& start, d
   this->BeginTime = start.travelTime;
   this->Caustics = start.caustics;
   this->Region = medium.seafloor->region(start.position);
+  this->LeavingWall = start.wall;
+  this->LeavingSide = start.wallSide;
 
   Local local;
   ++this->Evaluations;
@@ -122,8 +124,13 @@ bool HamiltonianRay::advance(FrontMeasure measure, double target, RayPoint& poin
     }
     if (this->Terminal || this->Ended)
     {
+      const bool first = !this->Ended;
       this->Ended = true;
       this->describe(this->LastTheta, point);
+      if (first && this->Wall)
+      {
+        this->reflect(point);
+      }
       return false;
     }
     if (!this->step())
@@ -265,6 +272,7 @@ bool HamiltonianRay::step()
     this->StepSize = 0.0;
     this->LastTheta = 0.0;
     this->ReadTheta = 0.0;
+    this->LeavingWall.reset();
     if (this->KinkAhead >= 0)
     {
       this->crossKink(static_cast<unsigned>(this->KinkAhead));
@@ -337,6 +345,7 @@ bool HamiltonianRay::step()
       this->LastTheta = event.theta;
       this->Terminal = true;
       this->Reason = event.reason;
+      this->Wall = event.wall;
     }
     break;
   }

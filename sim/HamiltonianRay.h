@@ -15,6 +15,11 @@ namespace swellray
  * tube jumps: with f the rates and nu the gradient of the kink's level,
  *   dk+ = dk- + (f+ - f-) (nu.dx) / (nu.dx/dt).
  *
+ * At a vertical wall with unit normal n the ray is mirrored. With f the rates of position and wavenumber before (-) and
+ * after (+), and tau = (n.dx)/(n.dx/dt-), the tube goes over as
+ *   dx+ = dx- + (f_x+ - f_x-) tau,  dk+ = M (dk- - f_k- tau) + f_k+ tau,
+ * M: the derivative of k+ by k- on the wall, in still water the mirror.
+ *
  * A ray ends, blocked by the current, where the energy moves along the wavenumber at less than 1 % of the group speed:
  * k.dx/dt < 0.01 k Cg. (In deep water it comes to that where k is four times that of still water, Peregrine 1976,
  * Adv. Appl. Mech. 16: at U = -C0/4 against the wave.) Past that point its phase would run back.
@@ -62,6 +67,7 @@ private:
     double theta = 1.0;
     EndReason reason = EndReason::LeftScene;
     unsigned kink = 0;
+    std::optional<WallHit> wall;
   };
 
   bool tryStep(double h, Trial& trial);
@@ -71,6 +77,8 @@ private:
   Event findEvent() const;
   void findLandOrHole(Event& event) const;
   void findStop(Event& event) const;
+  void findObstacle(Event& event) const;
+  void reflect(const RayPoint& wallPoint);
   void crossKink(unsigned kink);
   void prepareDense(double h, const State& end, const State& lastRate);
   State dense(double theta) const;
@@ -91,6 +99,8 @@ private:
   std::size_t Steps = 0;
   double DryDepth;
   unsigned Region = 0;
+  std::optional<std::size_t> LeavingWall; // on which the first step starts
+  double LeavingSide = 1.0;
 
   // Start of the current step and what is known there.
   State Begin{};

@@ -2,11 +2,13 @@
 
 #include "sim/CurrentDispersion.h"
 
+#include <glm/geometric.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-// What may happen within a step: the edge of the scene, land, a hole, a block, and kinks of the seafloor.
+// What may happen within a step: the edge of the scene, land, a hole, a block, a wall, and kinks of the seafloor.
 
 namespace swellray
 {
@@ -18,6 +20,9 @@ namespace
 
 // Above this share of the group speed at both ends of a step there is no need to look for a stop within it.
 constexpr double SafeShare = 0.25;
+
+// Sine of the angle to a wall below which a ray runs along it.
+constexpr double Grazing = 1e-9;
 
 }
 
@@ -75,9 +80,103 @@ HamiltonianRay::Event HamiltonianRay::findEvent() const
     }
   }
 
+  this->findObstacle(event);
   this->findLandOrHole(event);
   this->findStop(event);
   return event;
+}
+
+void HamiltonianRay::findObstacle(Event& event) const
+{
+  if (!this->Medium.obstacles)
+  {
+    return;
+  }
+  // The dense output as a polynomial in theta.
+  PathPiece path;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const std::size_t i = axis == 0 ? X : Y;
+    path.coefficients[0][axis] = this->Begin[i];
+    path.coefficients[1][axis] = this->Dense[0][i] + this->Dense[1][i];
+    path.coefficients[2][axis] = this->Dense[2][i] + this->Dense[3][i] - this->Dense[1][i];
+    path.coefficients[3][axis] = -this->Dense[2][i] - 2.0 * this->Dense[3][i];
+    path.coefficients[4][axis] = this->Dense[3][i];
+  }
+  event.wall = this->Medium.obstacles->firstHit(path, event.theta, this->LeavingWall, this->LeavingSide);
+  if (event.wall)
+  {
+    event.kind = Happening::End;
+    event.reason = EndReason::StoppedByObstacle;
+    event.theta = event.wall->theta;
+  }
+}
+
+void HamiltonianRay::reflect(const RayPoint& wallPoint)
+{
+  const State before = this->StepSize > 0.0 ? this->dense(this->LastTheta) : this->Begin;
+  State rate;
+  Local local;
+  ++this->Evaluations;
+  if (!(this->Wall->reflection > 0.0) || this->Wall->corner ||
+    !evaluate(this->Medium, this->Region, this->DryDepth, before, rate, local))
+  {
+    return;
+  }
+  const glm::dvec2 n = this->Wall->normal;
+  const glm::dvec2 t(-n.y, n.x);
+  const auto mirrored = [&](const glm::dvec2& v) { return v - 2.0 * glm::dot(n, v) * n; };
+  const glm::dvec2 k(before[Kx], before[Ky]);
+  const glm::dvec2 speed(rate[X], rate[Y]);
+  const double towards = glm::dot(n, speed);
+  if (!(std::abs(towards) > Grazing * glm::length(speed)))
+  {
+    return;
+  }
+  glm::dvec2 newK = mirrored(k);
+  if (this->Medium.current)
+  {
+    const std::optional<double> along = solveOnCurrent(
+      this->Medium.angularFrequency, local.depth, this->Medium.gravity, n, glm::dot(t, k), wallPoint.current);
+    if (!along)
+    {
+      return;
+    }
+    newK = *along * n + glm::dot(t, k) * t;
+  }
+  State after = before;
+  after[Kx] = newK.x;
+  after[Ky] = newK.y;
+  State newRate;
+  evaluate(this->Medium, this->Region, this->DryDepth, after, newRate, local);
+
+  // The neighbour's place and wavenumber when it meets the wall, and from there to the same time again.
+  const glm::dvec2 dx(before[DX], before[DY]);
+  const double delay = glm::dot(n, dx) / towards;
+  const glm::dvec2 dxWall = dx - delay * speed;
+  const glm::dvec2 dkWall = glm::dvec2(before[DKx], before[DKy]) - delay * glm::dvec2(rate[Kx], rate[Ky]);
+  const glm::dvec2 newSpeed(newRate[X], newRate[Y]);
+  const glm::dvec2 newForce(newRate[Kx], newRate[Ky]);
+  glm::dvec2 dkNew = mirrored(dkWall);
+  if (this->Medium.current)
+  {
+    // Along the wall the wavenumber is kept, and so is the frequency: dx/dt.dk = dk/dt.dx.
+    const double along = glm::dot(t, dkWall);
+    dkNew = along * t + (glm::dot(newForce, dxWall) - along * glm::dot(t, newSpeed)) / glm::dot(n, newSpeed) * n;
+  }
+  RayStart start;
+  start.position = wallPoint.position;
+  start.wavenumber = newK;
+  // A mirror turns left into right: by the negative launch parameter the width keeps its sign.
+  start.dPosition = -(dxWall + delay * newSpeed);
+  start.dWavenumber = -(dkNew + delay * newForce);
+  start.phase = wallPoint.phase;
+  start.travelTime = wallPoint.travelTime;
+  start.length = before[Length];
+  start.caustics = wallPoint.caustics;
+  start.wall = this->Wall->wall;
+  start.wallSide = this->Wall->side;
+  this->Reflected = start;
 }
 
 void HamiltonianRay::findStop(Event& event) const
@@ -102,6 +201,7 @@ void HamiltonianRay::findStop(Event& event) const
     {
       event.kind = Happening::End;
       event.reason = EndReason::BlockedByCurrent;
+      event.wall.reset();
       event.theta = this->locate(before, theta, stopped);
       return;
     }
@@ -142,6 +242,7 @@ void HamiltonianRay::findLandOrHole(Event& event) const
     if (hitLand || hitHole)
     {
       event.kind = Happening::End;
+      event.wall.reset();
       const double landAt = hitLand ? this->locate(before, theta, aground) : 2.0;
       const double holeAt = hitHole ? this->locate(before, theta, inHole) : 2.0;
       event.reason = landAt < holeAt ? EndReason::Aground : EndReason::EnteredHole;

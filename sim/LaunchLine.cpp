@@ -47,9 +47,10 @@ glm::dvec2 leftOf(const glm::dvec2& v)
 }
 
 LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
-  EdgeRule rule, std::optional<double> shoreNormal, const Current* current)
+  EdgeRule rule, std::optional<double> shoreNormal, const Current* current, const Obstacles* obstacles)
   : Floor(&seafloor)
   , Flow(current)
+  , Walls(obstacles)
   , WaterLevel(waterLevel)
   , Wave(wave)
   , Aground(aground)
@@ -151,7 +152,7 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   const glm::dvec2 p = side.corner + l * side.along;
   const BedSample bed = this->Floor->bed(p);
   const double trueDepth = this->WaterLevel - bed.elevation;
-  const bool water = trueDepth >= this->Aground && !this->Floor->isHole(p);
+  const bool water = trueDepth >= this->Aground && !this->Floor->isHole(p) && !(this->Walls && this->Walls->inside(p));
   const double depth = std::max(trueDepth, this->Aground);
   CurrentSample current;
   if (this->Flow)

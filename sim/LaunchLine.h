@@ -2,6 +2,7 @@
 
 #include "sim/Current.h"
 #include "sim/IncidentWave.h"
+#include "sim/Obstacles.h"
 #include "sim/Seafloor.h"
 
 #include <optional>
@@ -46,7 +47,9 @@ struct LaunchPoint
  * k/|k| + U: lambda is then the wave action that comes in, per metre of crest offshore, where there is no current.
  * Nothing comes in where the current stops the wave.
  *
- * The seafloor and the current must outlive the line.
+ * Nothing comes in on the land inside of obstacles.
+ *
+ * The seafloor, the current and the obstacles must outlive the line.
  */
 class LaunchLine
 {
@@ -59,7 +62,7 @@ public:
    * @throws std::invalid_argument on a bad wave or depth
    */
   LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground, EdgeRule rule,
-    std::optional<double> shoreNormal = {}, const Current* current = nullptr);
+    std::optional<double> shoreNormal = {}, const Current* current = nullptr, const Obstacles* obstacles = nullptr);
 
   /** Total length along the incident crest, m; 0 where the wave comes in nowhere over water. */
   double length() const { return this->Length; }
@@ -110,7 +113,8 @@ private:
   void append(int index, int segment, double from, double to);
 
   const Seafloor* Floor;
-  const Current* Flow; // null: still water
+  const Current* Flow;    // null: still water
+  const Obstacles* Walls; // null: none
   double WaterLevel;
   IncidentWave Wave;
   double Aground;

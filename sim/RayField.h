@@ -61,9 +61,11 @@ struct RayPoint
 struct RayInfo
 {
   double launchParameter = 0.0;   ///< lambda, m along the incident crest
-  std::int32_t parent = -1;       ///< ray it was inserted beside, -1 for a launched ray
+  std::int32_t parent = -1;       ///< ray it was inserted beside, or reflected from; -1 for a launched ray
   std::int32_t launchSegment = 0; ///< piece of the launch line; rays of different pieces are no neighbours
   bool lee = false;               ///< a model of diffraction, not a refracted ray
+  std::int32_t reflections = 0;   ///< by obstacles, so far
+  double reflection = 1.0;        ///< product of their coefficients
   RayState finalState = RayState::Alive;
   EndReason endReason = EndReason::StepCap;
   double dispersionError = 0.0; ///< largest error of the dispersion relation along the ray (RayPath): a free check

@@ -54,7 +54,8 @@ std::complex<double> foldCorrection(const WaveSheet* sheets, std::size_t count)
     const WaveSheet* before = nullptr;
     for (const WaveSheet* other = sheets; other != sheets + count; ++other)
     {
-      const bool fits = other->caustics + 1 == behind->caustics && other->phase < behind->phase;
+      const bool fits = other->caustics + 1 == behind->caustics && other->reflections == behind->reflections &&
+        other->phase < behind->phase;
       before = fits && (!before || other->phase > before->phase) ? other : before;
     }
     if (before)

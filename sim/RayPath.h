@@ -1,8 +1,11 @@
 #pragma once
 
 #include "sim/Current.h"
+#include "sim/Obstacles.h"
 #include "sim/RayField.h"
 #include "sim/Seafloor.h"
+
+#include <optional>
 
 namespace swellray
 {
@@ -11,11 +14,12 @@ namespace swellray
 struct RayMedium
 {
   const Seafloor* seafloor = nullptr;
-  double waterLevel = 0.0;          ///< m, positive up
-  double gravity = 9.81;            ///< m/s2
-  double angularFrequency = 0.0;    ///< rad/s
-  double agroundDepth = 0.1;        ///< a ray ends where it gets shallower than this, m, > 0
-  const Current* current = nullptr; ///< none: still water
+  double waterLevel = 0.0;              ///< m, positive up
+  double gravity = 9.81;                ///< m/s2
+  double angularFrequency = 0.0;        ///< rad/s
+  double agroundDepth = 0.1;            ///< a ray ends where it gets shallower than this, m, > 0
+  const Current* current = nullptr;     ///< none: still water
+  const Obstacles* obstacles = nullptr; ///< none: nothing stands in the water
 
   double depth(const glm::dvec2& p) const { return waterLevel - seafloor->elevation(p); }
 };
@@ -23,14 +27,16 @@ struct RayMedium
 /** Initial state of a ray. The derivatives by the launch parameter lambda describe the ray tube. */
 struct RayStart
 {
-  glm::dvec2 position{ 0.0 };    ///< m
-  glm::dvec2 wavenumber{ 0.0 };  ///< rad/m
-  glm::dvec2 dPosition{ 0.0 };   ///< d position / d lambda, -
-  glm::dvec2 dWavenumber{ 0.0 }; ///< d wavenumber / d lambda, rad/m2
-  double phase = 0.0;            ///< rad
-  double travelTime = 0.0;       ///< s
-  double length = 0.0;           ///< m travelled
-  int caustics = 0;              ///< passed before
+  glm::dvec2 position{ 0.0 };      ///< m
+  glm::dvec2 wavenumber{ 0.0 };    ///< rad/m
+  glm::dvec2 dPosition{ 0.0 };     ///< d position / d lambda, -
+  glm::dvec2 dWavenumber{ 0.0 };   ///< d wavenumber / d lambda, rad/m2
+  double phase = 0.0;              ///< rad
+  double travelTime = 0.0;         ///< s
+  double length = 0.0;             ///< m travelled
+  int caustics = 0;                ///< passed before
+  std::optional<std::size_t> wall; ///< on which it starts, having been reflected
+  double wallSide = 1.0;           ///< of that wall, as in WallHit
 };
 
 /** Quantity in which fronts are equally spaced. */
@@ -61,6 +67,14 @@ public:
   bool ended() const { return this->Ended; }
   /** What ended the ray; only meaningful once ended(). */
   EndReason endReason() const { return this->Reason; }
+  /** The wall that stopped the ray; set where it was stopped by an obstacle. */
+  const std::optional<WallHit>& wall() const { return this->Wall; }
+  /**
+   * How the wave goes on from the wall that stopped the ray, with k - 2 n (n.k) for k (on a current, where that would be
+   * a wave of another period, with the component along n that keeps it), the same phase, and the tube of the mirrored
+   * rays, its sign kept. None where nothing is reflected, at a corner, and where the ray runs along the wall.
+   */
+  const std::optional<RayStart>& reflection() const { return this->Reflected; }
   /** Metres travelled at the point last described. */
   double length() const { return this->ReadLength; }
   /** Largest ||k|/k(h) - 1| seen; on a current |(sigma + k.U)/omega - 1|. */
@@ -74,6 +88,8 @@ protected:
   double ReadLength = 0.0;
   double DispersionError = 0.0;
   std::size_t Evaluations = 0;
+  std::optional<WallHit> Wall;
+  std::optional<RayStart> Reflected;
 };
 
 }

@@ -32,6 +32,9 @@ constexpr double LongestFan = 2.0;
 constexpr double WidestGap = 8.0;
 constexpr double WidestShoreGap = 2.0;
 
+// Share of the way to the next point by which a point on a wall is taken to stand off it.
+constexpr double OffWall = 1e-3;
+
 // Share of the size of the scene.
 constexpr double InwardShare = 1e-7;
 
@@ -59,7 +62,7 @@ public:
     this->sortRays();
     for (std::size_t order = 0; order < this->Sorted.size(); ++order)
     {
-      if (this->Rays.parent[this->Sorted[order]] < 0)
+      if (this->isLaunched(this->Sorted[order]))
       {
         this->Standing.insert(this->Standing.end(), order);
       }
@@ -102,6 +105,13 @@ private:
     std::size_t order = 0;
   };
 
+  // By the edge of the scene, or by a wall.
+  bool isLaunched(std::size_t ray) const
+  {
+    const std::int32_t parent = this->Rays.parent[ray];
+    return parent < 0 || (this->Rays.reflections && this->Rays.reflections[ray] != this->Rays.reflections[parent]);
+  }
+
   void sortRays()
   {
     const RayLines& lines = this->Rays.lines;
@@ -127,7 +137,7 @@ private:
     for (std::size_t order = 0; order < this->Sorted.size(); ++order)
     {
       const std::size_t ray = this->Sorted[order];
-      if (this->Rays.parent[ray] >= 0)
+      if (!this->isLaunched(ray))
       {
         events.push_back({ this->phase(this->first(order)), false, ray, order });
       }
@@ -271,7 +281,25 @@ private:
     {
       return;
     }
+    if (this->Rays.obstacles && (this->parts(lower, upper) || this->parts(ahead, aheadIsLower ? upper : lower)))
+    {
+      return;
+    }
     this->Sheets.Triangles.push_back({ lower, ahead, upper });
+  }
+
+  // True where a wall stands between points of two rays. A point on a wall is on the side from which its ray comes.
+  bool parts(std::int64_t a, std::int64_t b) const
+  {
+    const std::int64_t besideA = this->Sheets.besideWall(a);
+    const std::int64_t besideB = this->Sheets.besideWall(b);
+    if (besideA != a && besideB != b)
+    {
+      return false;
+    }
+    const auto off = [&](std::int64_t point, std::int64_t beside)
+    { return glm::mix(this->Sheets.position(point), this->Sheets.position(beside), OffWall); };
+    return this->Rays.obstacles->crosses(off(a, besideA), off(b, besideB));
   }
 
   bool atShore(std::int64_t point) const
@@ -309,6 +337,8 @@ RaySheets::RaySheets(const SheetRays& rays, double maxSpacing)
   const RayLines& lines = rays.lines;
   const std::int64_t points = lines.rays > 0 ? lines.offsets[lines.rays] : 0;
   this->LeePoint.resize(static_cast<std::size_t>(points), 0);
+  this->Reflections.resize(rays.reflections ? static_cast<std::size_t>(points) : 0, 0);
+  this->Beside.resize(rays.obstacles ? static_cast<std::size_t>(points) : 0, 0);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   glm::dvec2 low(infinity);
   glm::dvec2 high(-infinity);
@@ -328,6 +358,18 @@ RaySheets::RaySheets(const SheetRays& rays, double maxSpacing)
       low = glm::min(low, place);
       high = glm::max(high, place);
       this->LeePoint[static_cast<std::size_t>(i)] = rays.lee[ray];
+      if (rays.reflections)
+      {
+        this->Reflections[static_cast<std::size_t>(i)] = rays.reflections[ray];
+      }
+    }
+    if (rays.obstacles && lines.offsets[ray + 1] > lines.offsets[ray] + 1)
+    {
+      const bool stopped = rays.endReason[ray] == static_cast<std::uint8_t>(EndReason::StoppedByObstacle);
+      const std::int32_t parent = rays.parent[ray];
+      const bool begins = parent >= 0 && rays.reflections && rays.reflections[ray] != rays.reflections[parent];
+      this->Beside[static_cast<std::size_t>(lines.offsets[ray])] = begins ? 1 : 0;
+      this->Beside[static_cast<std::size_t>(lines.offsets[ray + 1] - 1)] = stopped ? -1 : 0;
     }
   }
   if (points > 0)
@@ -341,6 +383,11 @@ glm::dvec2 RaySheets::position(std::int64_t point) const
 {
   const double* place = this->Rays.lines.positions + 3 * point;
   return { place[0], place[1] };
+}
+
+std::int64_t RaySheets::besideWall(std::int64_t point) const
+{
+  return point + this->Beside[static_cast<std::size_t>(point)];
 }
 
 glm::dvec2 RaySheets::inwards(const glm::dvec2& place) const
@@ -402,7 +449,8 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
   wave.broken = this->Rays.breaking[triangle[heaviest]] != 0;
   wave.caustics = this->Rays.caustics[triangle[heaviest]];
   // The launch parameter grows to the left of the rays: a tube that has not turned over is anticlockwise.
-  const int parity = positive ? 0 : 1;
+  wave.reflections = this->Reflections.empty() ? 0 : this->Reflections[static_cast<std::size_t>(triangle[0])];
+  const int parity = (positive ? 0 : 1) ^ (wave.reflections % 2);
   for (std::size_t i = 0; i < 3 && wave.caustics % 2 != parity; ++i)
   {
     wave.caustics = this->Rays.caustics[triangle[i]] % 2 == parity ? this->Rays.caustics[triangle[i]] : wave.caustics;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/Crests.h"
+#include "sim/Obstacles.h"
 #include "sim/Seafloor.h"
 
 #include <array>
@@ -14,15 +15,18 @@ namespace swellray
 /** Rays with their heights as plain arrays, as they lie in a ray file. */
 struct SheetRays
 {
-  RayLines lines;                         ///< rays, their points and phases
-  const std::int32_t* parent = nullptr;   ///< a ray, -1 for a launched one
-  const std::uint8_t* lee = nullptr;      ///< a ray, 1: a model of diffraction
-  const double* direction = nullptr;      ///< 3 a point: unit vector of the wavenumber
-  const double* wavenumber = nullptr;     ///< a point, rad/m
-  const double* height = nullptr;         ///< a point, m; infinite allowed
-  const std::int32_t* caustics = nullptr; ///< a point
-  const std::uint8_t* breaking = nullptr; ///< a point
-  const std::uint8_t* state = nullptr;    ///< a point, RayState
+  RayLines lines;                            ///< rays, their points and phases
+  const std::int32_t* parent = nullptr;      ///< a ray, -1 for a launched one
+  const std::uint8_t* lee = nullptr;         ///< a ray, 1: a model of diffraction
+  const std::int32_t* reflections = nullptr; ///< a ray, by obstacles; null: none anywhere
+  const std::uint8_t* endReason = nullptr;   ///< a ray, EndReason; needed with obstacles
+  const Obstacles* obstacles = nullptr;      ///< null: none
+  const double* direction = nullptr;         ///< 3 a point: unit vector of the wavenumber
+  const double* wavenumber = nullptr;        ///< a point, rad/m
+  const double* height = nullptr;            ///< a point, m; infinite allowed
+  const std::int32_t* caustics = nullptr;    ///< a point
+  const std::uint8_t* breaking = nullptr;    ///< a point
+  const std::uint8_t* state = nullptr;       ///< a point, RayState
 };
 
 /** The wave that one sheet of rays brings to a place. */
@@ -32,6 +36,7 @@ struct WaveSheet
   glm::dvec2 wavenumber{ 0.0 }; ///< rad/m
   double phase = 0.0;           ///< S, rad
   int caustics = 0;             ///< passed (KMAH index)
+  int reflections = 0;          ///< by obstacles
   bool broken = false;
   bool lee = false; ///< by rays that model diffraction
 };
@@ -42,15 +47,17 @@ struct WaveSheet
  *
  * Neighbours in launch parameter (within a launch segment) are joined point by point in the order of their phase. An
  * inserted ray begins with the triangle between its neighbours; a ray that ends breaks the sheet between those on
- * either side of it. No triangle spans only points of the shore, nor one over a gap wider than the limits.
+ * either side of it. Reflected rays begin where the wall reflects them, as launched ones do at the edge of the scene. No
+ * triangle spans only points of the shore, nor one over a gap wider than the limits, nor one with a wall between two of
+ * its rays.
  *
  * Inside a triangle with weights w_i of its corners x_i, height is linear (where a corner is infinite 1/H^2 is, as
  * the width of a ray tube), and the phase is
  *
  *   S(x) = sum w_i (S_i + k_i.(x - x_i)/2),
  *
- * exact for quadratic S since k is its gradient. The orientation of a triangle is the sign of the ray tube's width: it
- * decides between corners that disagree about the caustics passed.
+ * exact for quadratic S since k is its gradient. The orientation of a triangle is the sign of the ray tube's width (the
+ * other one after an odd number of reflections): it decides between corners that disagree about the caustics passed.
  */
 class RaySheets
 {
@@ -88,10 +95,13 @@ private:
   friend class SheetWeaver;
 
   glm::dvec2 position(std::int64_t point) const;
+  std::int64_t besideWall(std::int64_t point) const;
   double side(std::int64_t a, std::int64_t b, const glm::dvec2& place) const;
 
   SheetRays Rays;
-  std::vector<std::uint8_t> LeePoint; // a point
+  std::vector<std::uint8_t> LeePoint;    // a point
+  std::vector<std::int32_t> Reflections; // a point; empty: none anywhere
+  std::vector<std::int8_t> Beside;       // from a point on a wall to the one beside it on its ray; empty: no walls
   std::vector<Triangle> Triangles;
   Rectangle Bounds;
 };

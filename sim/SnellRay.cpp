@@ -24,6 +24,8 @@ SnellRay::SnellRay(const RayMedium& medium, const RayStart& start, double step, 
   this->Before.travelTime = start.travelTime;
   this->Before.length = start.length;
   this->After = this->Before;
+  this->LeavingWall = start.wall;
+  this->LeavingSide = start.wallSide;
   if (!(this->Before.depth >= medium.agroundDepth))
   {
     this->Reason = EndReason::Aground;
@@ -62,6 +64,7 @@ bool SnellRay::advance(FrontMeasure measure, double target, RayPoint& point)
     {
       this->Ended = true;
       this->describe(1.0, point);
+      this->reflect();
       return false;
     }
   }
@@ -168,6 +171,18 @@ bool SnellRay::step()
     this->Terminal = true;
     this->Reason = EndReason::LeftScene;
   }
+  if (this->Medium.obstacles)
+  {
+    const PathPiece path{ { position, length * direction } };
+    if (const auto hit = this->Medium.obstacles->firstHit(path, 1.0, this->LeavingWall, this->LeavingSide))
+    {
+      length *= hit->theta;
+      this->Wall = hit;
+      this->Terminal = true;
+      this->Reason = EndReason::StoppedByObstacle;
+    }
+    this->LeavingWall.reset();
+  }
   const int parts = std::max(1, static_cast<int>(std::ceil(length / seafloor.resolution())));
   double before = 0.0;
   for (int i = 1; i <= parts; ++i)
@@ -187,6 +202,7 @@ bool SnellRay::step()
         ((land ? landAt(middle) : holeAt(middle)) ? high : low) = middle;
       }
       length = high;
+      this->Wall.reset();
       this->Terminal = true;
       this->Reason = land ? EndReason::Aground : EndReason::EnteredHole;
       break;
@@ -202,6 +218,25 @@ bool SnellRay::step()
   this->After.travelTime = this->Before.travelTime + length / waveSpeeds(k, depth, this->Medium.gravity).groupSpeed;
   this->After.length = this->Before.length + length;
   return true;
+}
+
+void SnellRay::reflect()
+{
+  if (!this->Wall || !(this->Wall->reflection > 0.0) || this->Wall->corner)
+  {
+    return;
+  }
+  const glm::dvec2 n = this->Wall->normal;
+  const double k = solveWavenumber(this->Medium.angularFrequency, this->After.depth, this->Medium.gravity);
+  RayStart start;
+  start.position = this->After.position;
+  start.wavenumber = k * (this->After.direction - 2.0 * glm::dot(n, this->After.direction) * n);
+  start.phase = this->After.phase;
+  start.travelTime = this->After.travelTime;
+  start.length = this->After.length;
+  start.wall = this->Wall->wall;
+  start.wallSide = this->Wall->side;
+  this->Reflected = start;
 }
 
 void SnellRay::describe(double share, RayPoint& point)

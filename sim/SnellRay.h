@@ -8,7 +8,7 @@ namespace swellray
 /**
  * A ray by the scheme of Gonzato and Le Saec 1997, section 3.3, kept as a baseline: steps of one length; the
  * contour's direction from the two points of an equilateral triangle around the ray that have its depth; Snell's
- * law between the phase speeds here and one step ahead. First order in the step. It has no ray tube.
+ * law between the phase speeds here and one step ahead. First order in the step. It has no ray tube. Walls mirror it.
  */
 class SnellRay final : public RayPath
 {
@@ -30,6 +30,7 @@ private:
   };
 
   bool step();
+  void reflect();
   bool contourNormal(const glm::dvec2& position, double depth, glm::dvec2& normal, double& slope) const;
   void describe(double share, RayPoint& point);
 
@@ -40,6 +41,8 @@ private:
   Place Before;
   Place After;
   bool Terminal = false;
+  std::optional<std::size_t> LeavingWall; // on which the first step starts
+  double LeavingSide = 1.0;
 };
 
 }

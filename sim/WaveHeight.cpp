@@ -161,7 +161,7 @@ void computeHeights(
     sample.wavenumber = profile.wavenumber[i];
     sample.groupSpeed = profile.groupSpeed[i];
     sample.slope = slopeAt(profile, way, i);
-    sample.lossless = wave.height * profile.shoaling[i] * refraction;
+    sample.lossless = wave.height * profile.shoaling[i] * refraction * profile.reflection;
     return sample;
   };
   const SurfRule rule{ options.breaking, breakerIndex(options, wave), options.friction, wave.period, wave.gravity,

@@ -62,6 +62,7 @@ struct RayProfile
   const double* krTube = nullptr;      ///< -
   const std::uint8_t* state = nullptr; ///< RayState
   RayLosses before;                    ///< what the wave had lost before the ray began: inserted rays
+  double reflection = 1.0;             ///< product of the coefficients of the obstacles that reflected it
 };
 
 /** What is known of the losses of one ray: plain arrays, one entry a point. */
@@ -93,7 +94,7 @@ double breakerIndex(const HeightOptions& options, const IncidentWave& wave);
 double deepWaterHeight(const IncidentWave& wave);
 
 /**
- * H = H0 Ks Kr with the losses of BreakingMarch (equations there), point by point along a ray: bottom friction, and
+ * H = H0 Ks Kr (times what obstacles reflected) with the losses of BreakingMarch (equations there), point by point along a ray: bottom friction, and
  * breaking by the rule. With Battjes-Janssen H0 and all heights are root mean square heights of a sea of narrow
  * spectrum, Hrms = Hm0/sqrt 2, and the period is that of its peak; otherwise heights of a regular wave.
  *

@@ -134,12 +134,13 @@ RayField traceWaves(
   medium.angularFrequency = wave.angularFrequency();
   medium.agroundDepth = options.agroundDepth.value_or(AgroundShare * wave.height);
   medium.current = options.current;
+  medium.obstacles = options.obstacles && !options.obstacles->empty() ? options.obstacles : nullptr;
   if (medium.current)
   {
     requireCover(*medium.current, seafloor.bounds());
   }
-  const LaunchLine line(
-    seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal, options.current);
+  const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal,
+    options.current, medium.obstacles);
   if (!(line.length() > 0.0))
   {
     throw std::runtime_error("a wave from " + number(wave.directionFrom) +

@@ -4,6 +4,7 @@
 #include "sim/Execution.h"
 #include "sim/IncidentWave.h"
 #include "sim/LaunchLine.h"
+#include "sim/Obstacles.h"
 #include "sim/RayField.h"
 #include "sim/Seafloor.h"
 
@@ -39,8 +40,10 @@ struct TraceOptions
   std::optional<double> flatHeight;   ///< height below which a ray is FLAT, m, >= 0; a tenth of the incident height
   std::optional<double> agroundDepth; ///< depth at which a ray is aground, m, > 0; 5 % of the incident height
   EdgeRule edge = EdgeRule::Contours;
-  std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours
-  const Current* current = nullptr;  ///< must outlive the trace; none: still water
+  std::optional<double> shoreNormal;    ///< nautical degrees, seaward normal of the contours
+  const Current* current = nullptr;     ///< must outlive the trace; none: still water
+  const Obstacles* obstacles = nullptr; ///< must outlive the trace; none: nothing stands in the water
+  std::size_t maxReflections = 10;      ///< of one wave by obstacles
   std::size_t maxRays = 200000;
   std::size_t maxFronts = 100000;
   std::size_t maxPoints = 40000000; ///< in all rays together: some gigabytes
@@ -52,6 +55,10 @@ struct TraceOptions
 /**
  * Dynamic wave tracing (Gonzato and Le Saec 1997) with Hamiltonian rays:
  * all rays advance together from front to front.
+ *
+ * A ray that meets an obstacle ends there. Where that reflects, and the reflected wave is higher than 1 % of the incident
+ * one, it goes on as a new ray whose parent is the one that was stopped. Reflected rays are launched by the wall: those
+ * of neighbours that met the same obstacle are neighbours, in a launch segment of their own.
  *
  * The result is ordered by ray and identical for any loop in `execution`.
  * @throws std::invalid_argument bad wave or option; std::runtime_error where the wave comes in nowhere over water, or
