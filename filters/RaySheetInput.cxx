@@ -1,5 +1,6 @@
 #include "RaySheetInput.h"
 
+#include "AlgorithmExecution.h"
 #include "FieldData.h"
 
 #include <vtkCellData.h>
@@ -64,6 +65,16 @@ RaySheetInput::RaySheetInput(vtkPolyData* rays)
   arrays.lines.launchSegment = hold(requireIntegers(ofRays, "LaunchSegment", count));
   arrays.parent = hold(requireIntegers(ofRays, "ParentRay", count));
   arrays.lee = hold(requireBytes(ofRays, "LeeRay", count));
+  if (ofRays->GetArray("Reflections"))
+  {
+    arrays.reflections = hold(requireIntegers(ofRays, "Reflections", count));
+  }
+  this->Walls = obstaclesOf(rays);
+  if (this->Walls)
+  {
+    arrays.endReason = hold(requireBytes(ofRays, "EndReason", count));
+    arrays.obstacles = this->Walls.get();
+  }
   arrays.direction = hold(doubleTriples(ofPoints->GetArray("Direction"), points, "Direction"));
   arrays.wavenumber = hold(requireDoubles(ofPoints, "Wavenumber", points));
   arrays.height = hold(requireDoubles(ofPoints, "WaveHeight", points));
@@ -71,6 +82,20 @@ RaySheetInput::RaySheetInput(vtkPolyData* rays)
   arrays.breaking = hold(requireBytes(ofPoints, "Breaking", points));
   arrays.state = hold(requireBytes(ofPoints, "RayState", points));
   this->Sheets = std::make_unique<RaySheets>(arrays, fieldValue(rays, "MaxSpacing").value_or(0.0));
+}
+
+std::vector<double> RaySheetInput::wetDepths(const std::vector<glm::dvec2>& places, const double* depths) const
+{
+  std::vector<double> wet(depths, depths + places.size());
+  parallelFor(this->Walls ? places.size() : 0,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        wet[i] = this->Walls->inside(places[i]) ? 0.0 : wet[i];
+      }
+    });
+  return wet;
 }
 
 void addMapArrays(vtkFieldData* attributes, const RayMap& map)

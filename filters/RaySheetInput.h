@@ -1,12 +1,14 @@
 #ifndef RaySheetInput_h
 #define RaySheetInput_h
 
+#include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "sim/RayMap.h"
 
 #include <vtkDataArray.h>
 
 #include <memory>
+#include <vector>
 
 namespace swellray
 {
@@ -23,9 +25,13 @@ public:
 
   const RaySheets& sheets() const { return *this->Sheets; }
 
+  /** Depths at places, m, with 0 for those on the land inside of obstacles: rays bring no wave there. */
+  std::vector<double> wetDepths(const std::vector<glm::dvec2>& places, const double* depths) const;
+
 private:
   std::vector<std::int64_t> Offsets;
   std::vector<vtkSmartPointer<vtkDataArray>> Held;
+  std::shared_ptr<const Obstacles> Walls;
   std::unique_ptr<RaySheets> Sheets;
 };
 

@@ -2,6 +2,7 @@
 
 #include "FieldData.h"
 #include "GeoreferenceField.h"
+#include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
 #include "sim/Angles.h"
@@ -110,7 +111,9 @@ int vtkSwellBreakerLine::RequestData(
     const auto parameter = swellray::requireDoubles(input->GetCellData(), "LaunchParameter", count);
     const auto segment = swellray::requireIntegers(input->GetCellData(), "LaunchSegment", count);
 
+    const std::shared_ptr<const swellray::Obstacles> obstacles = swellray::obstaclesOf(input);
     swellray::BreakerRays rays;
+    rays.obstacles = obstacles.get();
     rays.rays = static_cast<std::size_t>(count);
     rays.offsets = offsets.data();
     rays.launchParameter = parameter->GetPointer(0);

@@ -2,6 +2,7 @@
 
 #include "AlgorithmExecution.h"
 #include "FieldData.h"
+#include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "sim/Crests.h"
 
@@ -160,7 +161,9 @@ int vtkSwellCrests::RequestData(vtkInformation*, vtkInformationVector** inputVec
     lines.phase = phase->GetPointer(0);
     lines.launchParameter = parameter->GetPointer(0);
     lines.launchSegment = segment->GetPointer(0);
-    const swellray::CrestLines crests = swellray::extractCrests(lines, this->MaxGap, everyCrest(this->Every, input));
+    const std::shared_ptr<const swellray::Obstacles> obstacles = swellray::obstaclesOf(input);
+    const swellray::CrestLines crests =
+      swellray::extractCrests(lines, this->MaxGap, everyCrest(this->Every, input), obstacles.get());
     this->UpdateProgress(0.5);
 
     vtkNew<vtkPoints> crestPoints;

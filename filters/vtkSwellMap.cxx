@@ -141,6 +141,7 @@ int vtkSwellMap::RequestData(vtkInformation*, vtkInformationVector** inputVector
     const vtkIdType nodes = output->GetNumberOfPoints();
     double* elevation = swellray::addArray<vtkDoubleArray>(out, "Elevation", nodes);
     double* depth = swellray::addArray<vtkDoubleArray>(out, "Depth", nodes);
+    std::vector<glm::dvec2> places(static_cast<std::size_t>(nodes));
     const double level = swellray::fieldValue(rays, "WaterLevel").value_or(this->WaterLevel);
     swellray::parallelFor(grid.rows,
       [&](std::size_t begin, std::size_t end)
@@ -152,6 +153,7 @@ int vtkSwellMap::RequestData(vtkInformation*, vtkInformationVector** inputVector
             const glm::dvec2 node =
               grid.origin + grid.spacing * glm::dvec2(static_cast<double>(column), static_cast<double>(row));
             const std::size_t i = row * grid.columns + column;
+            places[i] = node;
             elevation[i] =
               seafloor->isHole(node) ? std::numeric_limits<double>::quiet_NaN() : seafloor->elevation(node);
             depth[i] = level - elevation[i];
@@ -162,7 +164,7 @@ int vtkSwellMap::RequestData(vtkInformation*, vtkInformationVector** inputVector
 
     const swellray::RaySheetInput input(rays);
     this->UpdateProgress(0.4);
-    const swellray::RayMap map = swellray::mapRays(input.sheets(), grid, depth,
+    const swellray::RayMap map = swellray::mapRays(input.sheets(), grid, input.wetDepths(places, depth).data(),
       static_cast<swellray::CombineRule>(this->CombineRule), swellray::makeExecution(this, 0.4, 1.0));
     if (this->GetAbortExecute())
     {

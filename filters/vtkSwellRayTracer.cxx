@@ -4,6 +4,7 @@
 #include "CurrentSource.h"
 #include "FieldData.h"
 #include "GeoreferenceField.h"
+#include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
 #include "sim/RayQuantities.h"
@@ -105,6 +106,18 @@ void setCells(vtkPolyData* output, const swellray::RayField& field)
   }
 }
 
+void setReflections(vtkPolyData* output, const swellray::RayField& field)
+{
+  const auto n = static_cast<vtkIdType>(field.rays.size());
+  int* reflections = swellray::addArray<vtkIntArray>(output->GetCellData(), "Reflections", n);
+  double* coefficient = swellray::addArray<vtkDoubleArray>(output->GetCellData(), "ReflectionCoefficient", n);
+  for (std::size_t i = 0; i < field.rays.size(); ++i)
+  {
+    reflections[i] = field.rays[i].reflections;
+    coefficient[i] = field.rays[i].reflection;
+  }
+}
+
 void setFields(
   vtkPolyData* output, const swellray::RayField& field, const swellray::IncidentWave& wave, double waterLevel)
 {
@@ -135,6 +148,7 @@ void setFields(
 vtkSwellRayTracer::vtkSwellRayTracer()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
   , Water(std::make_unique<swellray::CurrentField>())
+  , Walls(std::make_unique<swellray::ObstacleField>())
 {
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
 }
@@ -142,6 +156,7 @@ vtkSwellRayTracer::vtkSwellRayTracer()
 vtkSwellRayTracer::~vtkSwellRayTracer()
 {
   delete[] this->Current;
+  delete[] this->Obstacles;
 }
 
 int vtkSwellRayTracer::FillInputPortInformation(int, vtkInformation* info)
@@ -200,6 +215,19 @@ int vtkSwellRayTracer::RequestData(
       options.current = current.get();
       options.validate();
     }
+    std::shared_ptr<const swellray::Obstacles> obstacles;
+    if (this->Obstacles && *this->Obstacles)
+    {
+      if (this->MaximumReflections < 0)
+      {
+        throw std::invalid_argument(
+          "the cap on reflections must be 0 or more, not " + std::to_string(this->MaximumReflections));
+      }
+      obstacles =
+        this->Walls->get(this->Obstacles, swellray::georeferenceOf(input), seafloor->bounds(), this->Reflection);
+      options.obstacles = obstacles.get();
+      options.maxReflections = static_cast<std::size_t>(this->MaximumReflections);
+    }
     const swellray::RayField field =
       swellray::traceWaves(*seafloor, wave, options, swellray::makeExecution(this, 0.0, TracingShare));
 
@@ -207,12 +235,21 @@ int vtkSwellRayTracer::RequestData(
     setPoints(output, field, wave, this->WaterLevel, current != nullptr, swellray::makeExecution(this));
     setCells(output, field);
     setFields(output, field, wave, this->WaterLevel);
+    if (obstacles)
+    {
+      setReflections(output, field);
+      swellray::setObstacles(output, this->Walls->list());
+    }
     if (this->LongitudeLatitude)
     {
       swellray::addLongitudeLatitude(output);
     }
 
     for (const std::string& note : current ? this->Water->notes() : std::vector<std::string>())
+    {
+      vtkWarningMacro(<< note);
+    }
+    for (const std::string& note : obstacles ? this->Walls->notes() : std::vector<std::string>())
     {
       vtkWarningMacro(<< note);
     }
@@ -269,6 +306,9 @@ void vtkSwellRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseShoreNormal: " << (this->UseShoreNormal ? "on" : "off") << "\n";
   os << indent << "ShoreNormal: " << this->ShoreNormal << "\n";
   os << indent << "Current: " << (this->Current ? this->Current : "(none)") << "\n";
+  os << indent << "Obstacles: " << (this->Obstacles ? this->Obstacles : "(none)") << "\n";
+  os << indent << "Reflection: " << this->Reflection << "\n";
+  os << indent << "MaximumReflections: " << this->MaximumReflections << "\n";
   os << indent << "LongitudeLatitude: " << (this->LongitudeLatitude ? "on" : "off") << "\n";
   os << indent << "MaximumNumberOfRays: " << this->MaximumNumberOfRays << "\n";
   os << indent << "MaximumNumberOfFronts: " << this->MaximumNumberOfFronts << "\n";

@@ -10,6 +10,7 @@
 namespace swellray
 {
 class CurrentField;
+class ObstacleField;
 class SeafloorField;
 }
 
@@ -43,11 +44,15 @@ class SeafloorField;
  * (unsigned char: 0 step cap, 1 left the scene, 2 entered a hole, 3 aground, 4 between two aground rays, 5 cancelled,
  * 6 blocked by a current, 7 stopped by an obstacle), LaunchSegment (int: rays of different segments are no neighbours).
  *
+ * With obstacles also Reflections (int: by obstacles, so far) and ReflectionCoefficient (double: product of theirs). A
+ * reflected ray is a cell of its own; its ParentRay is the one that the wall stopped.
+ *
  * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, incident),
  * OffshoreDepth (m, infinite: deep), Gravity (m/s2), WaterLevel (m), LaunchSpacing, MaxSpacing, LaunchWidth (m: as
  * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest
  * | |k|/k(h) - 1 | on a ray, with a current | (sigma + k.U)/omega - 1 |) and
- * SwellrayVersion.
+ * SwellrayVersion. With obstacles they go along: ObstaclePoints (2 components, m), ObstacleOffsets (int: where each
+ * begins), ObstacleRings (unsigned char, 1: closed) and ObstacleReflection.
  *
  * A cap that is reached, a grid too coarse for the wave, and gaps in a current are said by a warning. After an abort the output holds
  * the rays as far as they were traced, those cut short with EndReason 5.
@@ -222,6 +227,30 @@ public:
 
   ///@{
   /**
+   * File of walls that stand in the water: polygons and lines (GeoJSON, GeoPackage, Shapefile, ...) in any CRS. Rays
+   * stop at them, or are reflected. Default none.
+   */
+  vtkSetStringMacro(Obstacles);
+  vtkGetStringMacro(Obstacles);
+  ///@}
+
+  ///@{
+  /**
+   * Height of the wave that an obstacle reflects over that of the incident one, 0 to 1, default 0; a feature's own
+   * property `reflection` goes first.
+   */
+  vtkSetMacro(Reflection, double);
+  vtkGetMacro(Reflection, double);
+  ///@}
+
+  ///@{
+  /** How often one wave is reflected by obstacles at most; >= 0, default 10. */
+  vtkSetMacro(MaximumReflections, int);
+  vtkGetMacro(MaximumReflections, int);
+  ///@}
+
+  ///@{
+  /**
    * Add Longitude and Latitude; default on. On a geographic grid they cost about a third of the time of tracing:
    * switch them off where the rays are only looked at.
    */
@@ -269,6 +298,9 @@ protected:
   vtkTypeBool UseShoreNormal = 0;
   double ShoreNormal = 270.0;
   char* Current = nullptr;
+  char* Obstacles = nullptr;
+  double Reflection = 0.0;
+  int MaximumReflections = 10;
   vtkTypeBool LongitudeLatitude = 1;
   vtkIdType MaximumNumberOfRays = 200000;
   vtkIdType MaximumNumberOfFronts = 100000;
@@ -279,6 +311,7 @@ private:
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
   std::unique_ptr<swellray::CurrentField> Water;
+  std::unique_ptr<swellray::ObstacleField> Walls;
 };
 
 #endif

@@ -72,8 +72,8 @@ int vtkSwellStations::RequestData(
     }
     const swellray::RaySheetInput input(rays);
     swellray::addMapArrays(out,
-      swellray::sampleRays(input.sheets(), places, depth, static_cast<swellray::CombineRule>(this->CombineRule),
-        swellray::makeExecution(this)));
+      swellray::sampleRays(input.sheets(), places, input.wetDepths(places, depth).data(),
+        static_cast<swellray::CombineRule>(this->CombineRule), swellray::makeExecution(this)));
   }
   catch (const std::exception& error)
   {

@@ -115,6 +115,9 @@ int vtkSwellWaveHeight::RequestData(
     const auto parent = rays > 0
       ? swellray::requireIntegers(input->GetCellData(), "ParentRay", static_cast<vtkIdType>(rays))
       : vtkSmartPointer<vtkIntArray>::New();
+    const auto reflections = input->GetCellData()->GetArray("ReflectionCoefficient")
+      ? swellray::requireDoubles(input->GetCellData(), "ReflectionCoefficient", static_cast<vtkIdType>(rays))
+      : vtkSmartPointer<vtkDoubleArray>();
     swellray::RayProfile all;
     all.position = positions->GetPointer(0);
     all.travelTime = travelTime->GetPointer(0);
@@ -186,6 +189,7 @@ int vtkSwellWaveHeight::RequestData(
             profile.krSpacing += at;
             profile.krTube += at;
             profile.state += at;
+            profile.reflection = reflections ? reflections->GetPointer(0)[ray] : 1.0;
             if (profile.count > 0 && Generations::hasParent(parents, ray))
             {
               const auto beside = static_cast<std::size_t>(parents[ray]);

@@ -27,6 +27,9 @@ constexpr double PhaseTolerance = 1e-6;
 // rays that leave the scene at up to 60 degrees from the normal of its edge.
 constexpr double LongestFan = 2.0;
 
+// The same at a wall, up to 80 degrees: what lies behind it is not reached.
+constexpr double LongestWallFan = 6.0;
+
 // Widest gaps that are spanned, in insertion thresholds. Refinement between rays on the water stops where tubes are 12
 // times as wide as offshore; at the edge of a shadow it goes on.
 constexpr double WidestGap = 8.0;
@@ -252,7 +255,8 @@ private:
     {
       return;
     }
-    const double reach = LongestFan * this->distance(end, along);
+    const bool onWall = this->Rays.obstacles && this->Sheets.besideWall(end) != end;
+    const double reach = (onWall ? LongestWallFan : LongestFan) * this->distance(end, along);
     while (along < last && this->distance(end, along + 1) <= reach)
     {
       if (endIsLower)

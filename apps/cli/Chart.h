@@ -1,5 +1,7 @@
 #pragma once
 
+#include "sim/Obstacles.h"
+
 #include <array>
 #include <optional>
 #include <string>
@@ -18,8 +20,9 @@ struct ChartContent
   vtkPolyData* contours = nullptr;  ///< cell array Depth
   vtkPolyData* rays = nullptr;
   vtkPolyData* crests = nullptr; ///< cell array CrestNumber
-  double waterLevel = 0.0;       ///< m
-  std::string colorBy;           ///< point array of the rays; empty: one colour
+  std::vector<Obstacle> obstacles;
+  double waterLevel = 0.0; ///< m
+  std::string colorBy;     ///< point array of the rays; empty: one colour
   std::string title;
 };
 

@@ -137,6 +137,9 @@ void ChartItem::paintLine(vtkContext2D* painter, const PixelLine& line)
   case LineKind::AgroundRay:
     width = 0.11 * u;
     break;
+  case LineKind::Obstacle:
+    width = 0.16 * u;
+    break;
   default:
     break;
   }

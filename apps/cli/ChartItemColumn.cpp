@@ -248,6 +248,11 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
                                           : "depth contour",
         sample(LineKind::Contour, [color](double) { return color; }) });
   }
+  if (has(LineKind::Obstacle))
+  {
+    const Rgb color = lineColor(LineKind::Obstacle);
+    entries.push_back({ "obstacle", sample(LineKind::Obstacle, [color](double) { return color; }) });
+  }
   if (this->Depths.highest > 0.0)
   {
     entries.push_back({ "land", patch(landMap().rgb(0.4)) });

@@ -41,6 +41,7 @@ const Rgb ContourColor{ 0.16, 0.27, 0.38 };
 const Rgb PlainRayColor{ 0.74, 0.16, 0.12 };
 const Rgb AgroundColor{ 0.36, 0.27, 0.20 };
 const Rgb CrestColor{ 1.0, 1.0, 1.0 };
+const Rgb ObstacleColor{ 0.45, 0.05, 0.12 };
 
 const std::map<std::string, std::pair<std::string, std::string>> Names{
   { "WaveHeight", { "Wave height", "m" } },
@@ -206,6 +207,26 @@ void addCrests(ChartLines& lines, const ChartContent& content, const ChartLayout
     {
       addPlainLine(lines, content.crests, cell, project, LineKind::Crest, CrestColor, 0.7);
     }
+  }
+}
+
+void addObstacles(ChartLines& lines, const ChartContent& content, const Projection& project)
+{
+  for (const Obstacle& obstacle : content.obstacles)
+  {
+    PixelLine line;
+    line.kind = LineKind::Obstacle;
+    const std::size_t count = obstacle.points.size();
+    for (std::size_t i = 0; i < (obstacle.closed ? count + 1 : count); ++i)
+    {
+      const glm::dvec2& corner = obstacle.points[i % count];
+      const auto at = project(&corner.x);
+      if (isFar(line, at) || i + 1 >= count)
+      {
+        append(line, at, ObstacleColor, 1.0);
+      }
+    }
+    keep(lines, line);
   }
 }
 
@@ -458,6 +479,7 @@ ChartLines makeChartLines(const ChartContent& content, const ChartLayout& layout
       maker.add(ray);
     }
   }
+  addObstacles(lines, content, project);
   return lines;
 }
 

@@ -19,6 +19,7 @@ enum class LineKind
   Ray,
   LeeRay,
   AgroundRay,
+  Obstacle,
 };
 
 /** A line in pixels. */

@@ -6,6 +6,8 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
+
 namespace swellray::cli
 {
 
@@ -38,6 +40,34 @@ Georeference georeferenceOf(vtkDataObject* data)
   return Georeference(fieldText(data, "CRS"),
     { fieldNumber(data, "OriginLongitude").value_or(0.0), fieldNumber(data, "OriginLatitude").value_or(0.0) },
     { fieldNumber(data, "OriginX").value_or(0.0), fieldNumber(data, "OriginY").value_or(0.0) });
+}
+
+std::vector<Obstacle> obstaclesOf(vtkDataObject* data)
+{
+  vtkFieldData* fields = data->GetFieldData();
+  vtkDataArray* points = fields->GetArray("ObstaclePoints");
+  vtkDataArray* offsets = fields->GetArray("ObstacleOffsets");
+  vtkDataArray* rings = fields->GetArray("ObstacleRings");
+  std::vector<Obstacle> obstacles;
+  if (!points || points->GetNumberOfComponents() != 2 || !offsets || !rings)
+  {
+    return obstacles;
+  }
+  for (vtkIdType i = 0; i + 1 < offsets->GetNumberOfTuples() && i < rings->GetNumberOfTuples(); ++i)
+  {
+    Obstacle obstacle;
+    obstacle.closed = rings->GetComponent(i, 0) != 0.0;
+    const auto end = std::min(static_cast<vtkIdType>(offsets->GetComponent(i + 1, 0)), points->GetNumberOfTuples());
+    for (auto p = std::max(vtkIdType(0), static_cast<vtkIdType>(offsets->GetComponent(i, 0))); p < end; ++p)
+    {
+      obstacle.points.emplace_back(points->GetComponent(p, 0), points->GetComponent(p, 1));
+    }
+    if (!obstacle.points.empty())
+    {
+      obstacles.push_back(std::move(obstacle));
+    }
+  }
+  return obstacles;
 }
 
 }

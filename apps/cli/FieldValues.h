@@ -1,9 +1,11 @@
 #pragma once
 
 #include "bathymetry/Georeference.h"
+#include "sim/Obstacles.h"
 
 #include <optional>
 #include <string>
+#include <vector>
 
 class vtkDataObject;
 
@@ -21,5 +23,8 @@ void setFieldText(vtkDataObject* data, const char* name, const std::string& text
 
 /** Georeference that the field data describe; that of a local plane where there is none. */
 Georeference georeferenceOf(vtkDataObject* data);
+
+/** Obstacles that rays carry along; none where there are none. */
+std::vector<Obstacle> obstaclesOf(vtkDataObject* data);
 
 }

@@ -87,6 +87,21 @@ OptionSpec currentOption(RayRequest& rays)
   return spec;
 }
 
+std::vector<OptionSpec> obstacleOptions(RayRequest& rays)
+{
+  const char* group = "Obstacles";
+  OptionSpec most{ "--max-reflections", "N", "how often one wave is reflected at most", "10", group, false, {} };
+  most.set = [&rays](const std::string& typed)
+  { rays.maxReflections = static_cast<int>(parseWhole("--max-reflections", typed, 0, 1000)); };
+  return {
+    text("--obstacles", "FILE", "walls that rays stop at: polygons and lines, .geojson .gpkg .shp", "", group,
+      rays.obstacles),
+    number("--reflection", "R", "height that a wall reflects, as a share; its property 'reflection' goes first", "0",
+      group, rays.reflection, Share),
+    most,
+  };
+}
+
 std::vector<OptionSpec> heightOptions(RayRequest& rays)
 {
   const char* group = "Heights";
@@ -182,6 +197,7 @@ std::vector<OptionSpec> rayOptions(RayRequest& rays)
 {
   std::vector<OptionSpec> options = tracingOptions(rays.trace);
   options.push_back(currentOption(rays));
+  add(options, obstacleOptions(rays));
   add(options, heightOptions(rays));
   return options;
 }
@@ -237,6 +253,11 @@ void checkRays(RayRequest& rays)
   catch (const std::invalid_argument& error)
   {
     throw UsageError(error.what());
+  }
+  if (rays.obstacles.empty() && (rays.reflection || rays.maxReflections))
+  {
+    throw UsageError(fmt::format(
+      "{} needs --obstacles FILE: the walls that reflect", rays.reflection ? "--reflection" : "--max-reflections"));
   }
   if (!rays.current.empty() && rays.trace.scheme == TraceScheme::Snell)
   {

@@ -17,6 +17,7 @@ const NumberRule Degrees{ "degrees", -360.0, 360.0 };
 const NumberRule PlainNumber{};
 const NumberRule PositiveNumber{ "", 0.0, 1e300, true };
 const NumberRule NonNegativeNumber{ "", 0.0 };
+const NumberRule Share{ "", 0.0, 1.0 };
 
 std::string OptionSpec::longName() const
 {

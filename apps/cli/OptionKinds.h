@@ -20,6 +20,7 @@ extern const NumberRule Degrees; ///< -360 to 360
 extern const NumberRule PlainNumber;
 extern const NumberRule PositiveNumber;
 extern const NumberRule NonNegativeNumber;
+extern const NumberRule Share; ///< 0 to 1
 
 /** A number within the rule, written to target. */
 template <typename Target>

@@ -109,6 +109,12 @@ void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
     tracer->SetShoreNormal(*trace.shoreNormal);
   }
   tracer->SetCurrent(rays.current.empty() ? nullptr : rays.current.c_str());
+  tracer->SetObstacles(rays.obstacles.empty() ? nullptr : rays.obstacles.c_str());
+  tracer->SetReflection(rays.reflection.value_or(0.0));
+  if (rays.maxReflections)
+  {
+    tracer->SetMaximumReflections(*rays.maxReflections);
+  }
   tracer->SetMaximumNumberOfRays(static_cast<vtkIdType>(trace.maxRays));
   tracer->SetMaximumNumberOfFronts(static_cast<vtkIdType>(trace.maxFronts));
 }
@@ -235,8 +241,8 @@ vtkPolyData* Pipeline::makeBreakerLines()
 std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
-  for (const std::string& file :
-    { request.seafloor.source, request.rays.current, request.render.rays, request.render.crests, request.map.stations })
+  for (const std::string& file : { request.seafloor.source, request.rays.current, request.rays.obstacles,
+         request.render.rays, request.render.crests, request.map.stations })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))

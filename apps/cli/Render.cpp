@@ -7,6 +7,8 @@
 #include "FieldValues.h"
 #include "Pipeline.h"
 
+#include "bathymetry/ObstacleReader.h"
+
 #include <fmt/format.h>
 
 #include <vtkImageData.h>
@@ -14,6 +16,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <stdexcept>
 
 namespace swellray::cli
 {
@@ -49,6 +52,27 @@ void checkSamePlace(vtkDataObject* lines, vtkDataObject* seafloor, const std::st
                     "seafloor and the seafloor options it was traced with",
           path, name, *there, *here));
     }
+  }
+}
+
+// From their file, or from the rays that met them.
+std::vector<Obstacle> obstaclesToDraw(const Request& request, vtkImageData* seafloor, vtkPolyData* rays)
+{
+  if (request.rays.obstacles.empty() || request.rays.wanted)
+  {
+    return rays ? obstaclesOf(rays) : std::vector<Obstacle>();
+  }
+  double bounds[6];
+  seafloor->GetBounds(bounds);
+  try
+  {
+    return readObstacles(request.rays.obstacles, georeferenceOf(seafloor),
+      { { bounds[0], bounds[2] }, { bounds[1], bounds[3] } }, request.rays.reflection.value_or(0.0))
+      .obstacles;
+  }
+  catch (const std::runtime_error& error)
+  {
+    throw WorkError(error.what());
   }
 }
 
@@ -95,6 +119,7 @@ void runRender(const Request& request, Console& console)
     }
   }
   content.rays = rays;
+  content.obstacles = obstaclesToDraw(request, seafloor, rays);
 
   vtkSmartPointer<vtkPolyData> crests;
   if (request.render.crests == CrestsFromRays)
@@ -142,6 +167,7 @@ CommandSpec renderSpec(Request& request)
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"
                   "  swellray render harbour.tif --period 14 --direction 135 --height 2 -o picture.png\n"
+                  "  swellray render harbour.tif --obstacles breakwater.geojson -o harbour.png\n"
                   "  swellray render harbour.tif --interval 5 --size 2400x1800 -o chart.png\n"
                   "Where no display is set, an X server in memory (Xvfb) is started for the picture.\n";
   spec.check = checkRender;

@@ -35,7 +35,10 @@ struct RayRequest
   bool wanted = false; ///< a period was given
   IncidentWave wave;
   TraceOptions trace;
-  std::string current; ///< a file or NAME:key=value,...; empty: still water
+  std::string current;               ///< a file or NAME:key=value,...; empty: still water
+  std::string obstacles;             ///< a file; empty: none
+  std::optional<double> reflection;  ///< of obstacles that have none of their own
+  std::optional<int> maxReflections; ///< of one wave
   HeightOptions height;
   bool geometricCaustics = false;      ///< no cap of the refraction coefficient
   std::optional<double> maxRefraction; ///< the cap where one was given

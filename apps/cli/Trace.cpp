@@ -67,16 +67,21 @@ void sayRays(vtkPolyData* rays, const Console& console)
 {
   vtkDataArray* parents = rays->GetCellData()->GetArray("ParentRay");
   vtkDataArray* lees = rays->GetCellData()->GetArray("LeeRay");
+  vtkDataArray* reflections = rays->GetCellData()->GetArray("Reflections");
   vtkIdType inserted = 0;
   vtkIdType lee = 0;
+  vtkIdType reflected = 0;
   for (vtkIdType i = 0; i < rays->GetNumberOfCells(); ++i)
   {
-    const bool isLee = lees && lees->GetComponent(i, 0) != 0.0;
+    const bool isReflected = reflections && reflections->GetComponent(i, 0) != 0.0;
+    const bool isLee = !isReflected && lees && lees->GetComponent(i, 0) != 0.0;
+    reflected += isReflected ? 1 : 0;
     lee += isLee ? 1 : 0;
-    inserted += !isLee && parents && parents->GetComponent(i, 0) >= 0.0 ? 1 : 0;
+    inserted += !isReflected && !isLee && parents && parents->GetComponent(i, 0) >= 0.0 ? 1 : 0;
   }
-  console.say(fmt::format("rays     {}: {} launched, {} inserted, {} in the lee; {} points on {:g} fronts",
-    rays->GetNumberOfCells(), rays->GetNumberOfCells() - inserted - lee, inserted, lee, rays->GetNumberOfPoints(),
+  console.say(fmt::format("rays     {}: {} launched, {} inserted, {} in the lee{}; {} points on {:g} fronts",
+    rays->GetNumberOfCells(), rays->GetNumberOfCells() - inserted - lee - reflected, inserted, lee,
+    reflections ? fmt::format(", {} reflected", reflected) : "", rays->GetNumberOfPoints(),
     fieldNumber(rays, "Fronts").value_or(0.0)));
   console.say("states   " + tally(rays, "FinalState", { "dead", "alive", "flat", "aground" }));
   console.say("ended    " +
@@ -285,6 +290,9 @@ CommandSpec traceSpec(Request& request)
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --map heights.nc --map-spacing 25\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --table waves.csv\n"
     "  swellray trace shoal --period 10 --direction 270 --height 1 --current eddy:U0=1.5,R=400 -o rays.vtp\n"
+    "  swellray trace harbour.tif --period 12 --direction 20 --height 2 --obstacles breakwater.geojson --reflection "
+    "0.5 "
+    "-o rays.vtp\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
