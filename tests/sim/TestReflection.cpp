@@ -204,8 +204,8 @@ TEST_P(Reflection, carriesTheTubeThatNeighboursSpan)
   EXPECT_GT(compared, 5);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-  Obstacles, Reflection, ::testing::ValuesIn(Mirrors), [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(Obstacles, Reflection, ::testing::ValuesIn(Mirrors),
+  [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(ObstacleRays, aSnellRayIsReflectedToo)
 {
