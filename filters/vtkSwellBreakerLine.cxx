@@ -47,6 +47,9 @@ void addQuantities(vtkPolyData* output, const swellray::BreakerLines& lines)
   addDoubles(out, "BreakerIribarrenNumber", lines.iribarrenBreaking);
   std::copy(lines.type.begin(), lines.type.end(),
     swellray::addArray<vtkUnsignedCharArray>(out, "BreakerType", static_cast<vtkIdType>(lines.type.size())));
+  std::copy(lines.typeAtBreaking.begin(), lines.typeAtBreaking.end(),
+    swellray::addArray<vtkUnsignedCharArray>(
+      out, "BreakerTypeAtBreaking", static_cast<vtkIdType>(lines.typeAtBreaking.size())));
   addDoubles(out, "PeelAngle", lines.peelAngle, degrees);
   addDoubles(out, "VortexRatio", lines.vortexRatio);
   addDoubles(out, "SetDown", lines.setDown);

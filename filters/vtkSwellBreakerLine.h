@@ -28,6 +28,7 @@ class SeafloorField;
  * - IribarrenNumber (double): xi_0, of the bed's slope and the height in deep water
  * - BreakerIribarrenNumber (double): xi_b, of the slope and the height at breaking
  * - BreakerType (unsigned char): 1 spilling, 2 plunging, 3 surging, by xi_0
+ * - BreakerTypeAtBreaking (unsigned char): the same by xi_b
  * - PeelAngle (double, degrees): between crest and breaker line, 0 (closes out) to 90
  * - VortexRatio (double): length over width of the hollow under the lip; NaN for slopes outside 1:8 to 1:40
  * - SetDown (double, m) at breaking; SetUp (double, m) at the still-water line, MaximumSetUp (double, m)

@@ -116,6 +116,7 @@ private:
     lines.iribarrenOffshore.push_back(iribarren);
     lines.iribarrenBreaking.push_back(iribarrenNumber(slope, height, period, gravity));
     lines.type.push_back(static_cast<std::uint8_t>(breakerType(iribarren)));
+    lines.typeAtBreaking.push_back(static_cast<std::uint8_t>(breakerTypeAtBreaking(lines.iribarrenBreaking.back())));
     // The crest is across the wave: the angle to it is a right angle less that to the wave.
     lines.peelAngle.push_back(
       std::atan2(std::fabs(glm::dot(along, wave)), std::fabs(along.x * wave.y - along.y * wave.x)));

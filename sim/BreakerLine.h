@@ -49,16 +49,17 @@ struct BreakerLines
   std::vector<double> height; ///< Hb, m
   std::vector<double> depth;  ///< hb, m
   std::vector<double> angle;  ///< from the way up the bed to that of the wave, anticlockwise, rad; NaN on a flat bed
-  std::vector<double> iribarrenOffshore;  ///< xi_0 of the slope and the height in deep water
-  std::vector<double> iribarrenBreaking;  ///< xi_b of the slope and Hb
-  std::vector<std::uint8_t> type;         ///< BreakerType by xi_0
-  std::vector<double> peelAngle;          ///< between crest and breaker line, rad, 0 (closes out) to pi/2
-  std::vector<double> vortexRatio;        ///< Mead and Black 2001; NaN out of its range
-  std::vector<double> setDown;            ///< at breaking, m
-  std::vector<double> setUp;              ///< at the still-water line, m
-  std::vector<double> maximumSetUp;       ///< m
-  std::vector<double> longshoreFlux;      ///< P_ls, W/m, positive to the left looking up the bed
-  std::vector<double> longshoreTransport; ///< m3/s of sand, signed alike
+  std::vector<double> iribarrenOffshore;    ///< xi_0 of the slope and the height in deep water
+  std::vector<double> iribarrenBreaking;    ///< xi_b of the slope and Hb
+  std::vector<std::uint8_t> type;           ///< BreakerType by xi_0
+  std::vector<std::uint8_t> typeAtBreaking; ///< BreakerType by xi_b
+  std::vector<double> peelAngle;            ///< between crest and breaker line, rad, 0 (closes out) to pi/2
+  std::vector<double> vortexRatio;          ///< Mead and Black 2001; NaN out of its range
+  std::vector<double> setDown;              ///< at breaking, m
+  std::vector<double> setUp;                ///< at the still-water line, m
+  std::vector<double> maximumSetUp;         ///< m
+  std::vector<double> longshoreFlux;        ///< P_ls, W/m, positive to the left looking up the bed
+  std::vector<double> longshoreTransport;   ///< m3/s of sand, signed alike
 };
 
 /**

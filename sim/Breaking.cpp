@@ -79,6 +79,13 @@ BreakerType breakerType(double iribarrenOffshore)
                                  : BreakerType::Surging;
 }
 
+BreakerType breakerTypeAtBreaking(double iribarrenBreaking)
+{
+  return iribarrenBreaking < 0.4 ? BreakerType::Spilling
+    : iribarrenBreaking <= 2.0   ? BreakerType::Plunging
+                                 : BreakerType::Surging;
+}
+
 double frictionRate(
   double frictionFactor, double height, double wavenumber, double depth, double period, double gravity)
 {

@@ -80,6 +80,9 @@ double iribarrenNumber(double slope, double height, double period, double gravit
 /** Type of a breaker by its xi_0: spilling below 0.5, plunging to 3.3, surging above. Battjes 1974. */
 BreakerType breakerType(double iribarrenOffshore);
 
+/** Type of a breaker by its xi_b: spilling below 0.4, plunging to 2.0, surging above. Battjes 1974. */
+BreakerType breakerTypeAtBreaking(double iribarrenBreaking);
+
 /**
  * Rate at which bottom friction takes energy, D/E in 1/s:
  *

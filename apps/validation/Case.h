@@ -41,6 +41,7 @@ struct Series
     Line,
     Dashes,
     Dots,
+    Crosses,
   };
 
   std::string name;
@@ -77,6 +78,7 @@ struct Outcome
   std::vector<Check> checks;
   std::vector<Plot> plots;
   Table numbers;
+  Table grids; ///< errors over the spacing of a grid, as they are plotted; may be empty
 
   bool passed() const
   {
@@ -92,8 +94,11 @@ struct Outcome
 /** How a case is run. */
 struct Setting
 {
-  double gravity = StandardGravity; ///< m/s2, of the computed side alone: another value must make cases fail
-  bool quick = false;               ///< leave out the parts that take long
+  bool quick = false; ///< leave out the parts that take long
+  // Of the computed side alone: other values must make cases fail.
+  double gravity = StandardGravity; ///< m/s2
+  double bedSlope = 1.0;            ///< factor of the bed's gradient: rays bend wrongly
+  double bedCurvature = 1.0;        ///< factor of its second derivatives: tubes widen wrongly
 };
 
 struct Case

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "RayRun.h"
+#include "GridRun.h"
 
 namespace swellray::validation
 {
@@ -15,9 +15,11 @@ struct CausticRay
 /**
  * Compare the places where tubes have no width, found in the equations of Munk and Arthur, with those of the rays.
  * @param step m, of the exact side
+ * The same on grids, without those spacings whose rays come to it elsewhere altogether.
+ * @param step m, of the exact side
  * @param length a length of the scene over which a ray tube changes, m
  */
 Outcome compareCaustics(const RayScene& scene, const reference::Formula& formula, const std::vector<CausticRay>& rays,
-  double step, double length, const Setting& setting);
+  double step, double length, const GridPlan& plan, const Setting& setting);
 
 }

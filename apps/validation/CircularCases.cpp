@@ -1,7 +1,8 @@
 // Circular shoals and islands: Bouguer's law for the ray, Munk and Arthur's equation for its tube.
 #include "Caustics.h"
-#include "CircularForms.h"
 #include "Families.h"
+#include "GridRun.h"
+#include "Problems.h"
 
 #include "sim/BuiltinSeafloor.h"
 
@@ -15,17 +16,6 @@ namespace
 {
 
 using reference::Place;
-
-struct Circular
-{
-  const char* name;
-  const char* title;
-  const char* formula;
-  reference::CircularForm form;
-  double period;
-  double x0;
-  std::vector<double> b;
-};
 
 constexpr const char* Scene = ",x0=-9000,x1=9000,y0=-9000,y1=9000";
 constexpr double AgroundDepth = 0.3;
@@ -51,6 +41,19 @@ RayScene sceneOf(const Circular& c, const Seafloor& seafloor)
   return scene;
 }
 
+GridPlan gridPlan(const Circular& c)
+{
+  // The third derivative of the polynomial shoal jumps at its rim: that leaves the orders of a smooth bed.
+  const bool island = c.form.depth(0.0L) <= 0.0L;
+  GridPlan plan = planFor(island ? GridOrder::Kinked : GridOrder::Curved);
+  plan.turn = 0.3;
+  for (const double nodes : { 4.0, 8.0, 16.0, 32.0 })
+  {
+    plan.spacings.push_back(c.form.feature / nodes * (island ? 2.0 : 1.0));
+  }
+  return plan;
+}
+
 /** Places by Bouguer's law on the way in, and out again where the ray does not run ashore. */
 std::vector<Place> bouguerPlaces(const Circular& c, double omega, double b)
 {
@@ -72,7 +75,9 @@ std::vector<Place> bouguerPlaces(const Circular& c, double omega, double b)
   return places;
 }
 
-Outcome run(const Circular& c, const Setting& setting)
+}
+
+Outcome runCircular(const Circular& c, const Setting& setting)
 {
   const auto seafloor = makeBuiltinSeafloor(c.form.spec + Scene);
   const double omega = 2.0 * Pi / c.period;
@@ -104,10 +109,20 @@ Outcome run(const Circular& c, const Setting& setting)
   Outcome outcome = compareRays(scene, limits, setting);
   const reference::RayErrors errors = rayErrors(bouguer, setting, FineTolerance);
   addPathChecks(errors, limits, ", Bouguer", outcome.checks);
+  const GridPlan plan = gridPlan(c);
+  // Close to the shore a ray that comes in elsewhere may be ashore.
+  for (Track& track : scene.tracks)
+  {
+    while (scene.depth(track.places.back()) < 0.05 * scene.depth(track.places.front()))
+    {
+      track.places.pop_back();
+    }
+  }
+  addGridConvergence(scene, plan, setting, outcome);
   return outcome;
 }
 
-Outcome runCaustic(const Circular& c, const Setting& setting)
+Outcome runCircularCaustic(const Circular& c, const Setting& setting)
 {
   const auto seafloor = makeBuiltinSeafloor(c.form.spec + Scene);
   std::vector<CausticRay> rays;
@@ -119,10 +134,8 @@ Outcome runCaustic(const Circular& c, const Setting& setting)
     const double b = half * (2.0 * (i + 0.4) / count - 1.0);
     rays.push_back({ beginning(c, b), -3.0 * c.x0 });
   }
-  return compareCaustics(
-    sceneOf(c, *seafloor), c.form.formula(), rays, c.form.feature / ReferenceSteps, c.form.feature, setting);
-}
-
+  return compareCaustics(sceneOf(c, *seafloor), c.form.formula(), rays, c.form.feature / ReferenceSteps, c.form.feature,
+    gridPlan(c), setting);
 }
 
 std::vector<Case> circularCases()
@@ -141,12 +154,13 @@ std::vector<Case> circularCases()
       Circular{ "c4_island_parabolic", "Parabolic island", "h = 30 (r/1200)^2 to r = 1200 m, T = 14 s.",
         reference::parabolicIsland(30.0, 1200.0), 14.0, -1800.0, { 24.0, 400.0, 900.0, 1150.0 } } })
   {
-    cases.push_back({ c.name, c.title, c.formula + how, [c](const Setting& setting) { return run(c, setting); } });
-    if (std::string(c.name).find("shoal") != std::string::npos)
+    cases.push_back(
+      { c.name, c.title, c.formula + how, [c](const Setting& setting) { return runCircular(c, setting); } });
+    if (c.name.find("shoal") != std::string::npos)
     {
-      cases.push_back({ std::string(c.name) + "_caustic", std::string(c.title) + ": its caustic",
-        c.formula + std::string(" Where the tube's width passes 0, by the equations of Munk and Arthur 1952."),
-        [c](const Setting& setting) { return runCaustic(c, setting); } });
+      cases.push_back({ c.name + "_caustic", c.title + ": its caustic",
+        c.formula + (" Where the tube's width passes 0, by the equations of Munk and Arthur 1952."),
+        [c](const Setting& setting) { return runCircularCaustic(c, setting); } });
     }
   }
   return cases;

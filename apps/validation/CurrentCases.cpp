@@ -1,14 +1,13 @@
-// Rays across a shear jet: the wavenumber along it is kept, and wave action.
+// Rays on currents: what a jet, an eddy and a current along the wave keep, and wave action.
 #include "Families.h"
-#include "RayRun.h"
+#include "GridRun.h"
+#include "Problems.h"
 
 #include "sim/BuiltinCurrent.h"
-#include "sim/RayQuantities.h"
 
-#include <glm/geometric.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
-#include <memory>
 
 namespace swellray::validation
 {
@@ -19,193 +18,180 @@ namespace
 using reference::Place;
 using reference::Real;
 
-struct Jet
-{
-  const char* name;
-  double speed;  // V0, m/s
-  double width;  // w, m
-  double depth;  // m
-  double period; // absolute, s
-  double from;   // x0, m
-  double angle;  // of the wavenumber, degrees from +x
-};
-
-/** On V = V0 exp(-(x/w)^2) along y the wavenumber ky and the flux of action along x are kept; y, t and S are quadratures. */
-class JetRay
-{
-public:
-  explicit JetRay(const Jet& jet)
-    : Case(jet)
-    , Omega(2.0L * reference::Pi / jet.period)
-  {
-    const Real sine = std::sin(jet.angle * reference::Pi / 180.0L);
-    const Real cosine = std::cos(jet.angle * reference::Pi / 180.0L);
-    // sigma + k V sin = omega, by repetition: V is next to nothing at the start.
-    Real k = reference::wavenumber(this->Omega, jet.depth);
-    for (int i = 0; i < 50; ++i)
-    {
-      k = reference::wavenumber(this->Omega - k * sine * this->current(jet.from), jet.depth);
-    }
-    this->Kx0 = k * cosine;
-    this->Ky = k * sine;
-  }
-
-  struct Rates
-  {
-    Real kx;
-    Real sigma;
-    Real vx;
-    Real vy;
-  };
-
-  Rates rates(Real x) const
-  {
-    Rates r{};
-    r.sigma = this->Omega - this->Ky * this->current(x);
-    const Real k = reference::wavenumber(r.sigma, this->Case.depth);
-    const Real group = reference::groupSpeed(r.sigma, this->Case.depth);
-    r.kx = std::sqrt(k * k - this->Ky * this->Ky);
-    r.vx = group * r.kx / k;
-    r.vy = group * this->Ky / k + this->current(x);
-    return r;
-  }
-
-  /** Place at x, in a tube of rays that are one ray moved along y. */
-  Place at(Real x) const
-  {
-    const auto sums = reference::integrate(
-      [this](Real u) -> std::array<Real, 4>
-      {
-        const Rates r = this->rates(u);
-        return { r.vy / r.vx, 1.0L / r.vx, r.kx + this->Ky * r.vy / r.vx, std::hypot(r.vx, r.vy) / r.vx };
-      },
-      this->Case.from, x);
-    const Rates here = this->rates(x);
-    const Rates start = this->rates(this->Case.from);
-    Place place;
-    place.x = static_cast<double>(x);
-    place.y = static_cast<double>(sums[0]);
-    place.theta = static_cast<double>(std::atan2(this->Ky, here.kx));
-    place.time = static_cast<double>(sums[1]);
-    place.phase = static_cast<double>(sums[2]);
-    place.length = static_cast<double>(sums[3]);
-    place.width =
-      static_cast<double>(here.vx / std::hypot(here.vx, here.vy) / (start.vx / std::hypot(start.vx, start.vy)));
-    return place;
-  }
-
-  /** H/H0 of a constant flux of action, E vx/sigma. */
-  double height(Real x) const
-  {
-    const Rates here = this->rates(x);
-    const Rates start = this->rates(this->Case.from);
-    return static_cast<double>(std::sqrt(here.sigma * start.vx / (start.sigma * here.vx)));
-  }
-
-  double angleOfRay() const
-  {
-    const Rates start = this->rates(this->Case.from);
-    return static_cast<double>(std::atan2(start.vy, start.vx));
-  }
-
-  Real current(Real x) const
-  {
-    const Real t = x / this->Case.width;
-    return this->Case.speed * std::exp(-t * t);
-  }
-
-private:
-  Jet Case;
-  Real Omega;
-  Real Kx0 = 0.0L;
-  Real Ky = 0.0L;
-};
-
-Outcome run(const Jet& jet, const Setting& setting)
+/** A flat bed under a current. */
+reference::FormulaSeafloor flatBed(double depth, double halfWidth)
 {
   reference::Formula formula;
-  formula.depth = [&jet](const reference::Jet&, const reference::Jet&, unsigned) { return reference::Jet(jet.depth); };
-  const reference::FormulaSeafloor seafloor(formula, { { -3000.0, -50000.0 }, { 3000.0, 50000.0 } }, jet.width);
-  const auto current =
-    makeBuiltinCurrent("jet:V0=" + std::to_string(jet.speed) + ",width=" + std::to_string(jet.width));
-  const JetRay exact(jet);
-  RayMedium medium = reference::mediumOf(seafloor, jet.period, 0.1);
-  medium.gravity = setting.gravity;
-  medium.current = current.get();
-  const double across = 1.0 / std::cos(exact.angleOfRay());
-  const double angle = radians(jet.angle);
-  RayStart start = reference::startHeading(medium, { jet.from, 0.0 }, angle, { 0.0, across });
-  // sigma + k V sin = omega, by repetition.
-  const double slip = std::sin(angle) * static_cast<double>(exact.current(jet.from));
-  for (int i = 0; i < 10; ++i)
-  {
-    const double sigma = medium.angularFrequency - glm::length(start.wavenumber) * slip;
-    const double k = solveWavenumber(sigma, jet.depth, medium.gravity);
-    start.wavenumber = k * glm::dvec2(std::cos(angle), std::sin(angle));
-  }
-  HamiltonianRay ray(medium, start, FineTolerance);
-  RayPoint point;
-  ray.advance(FrontMeasure::Length, 0.0, point);
-  const double speed0 = waveSpeeds(glm::length(point.wavenumber), jet.depth, medium.gravity).groupSpeed;
+  formula.depth = [depth](const reference::Jet&, const reference::Jet&, unsigned) { return reference::Jet(depth); };
+  const glm::dvec2 corner(halfWidth, 50.0 * halfWidth);
+  return { formula, { -corner, corner }, halfWidth };
+}
 
-  Outcome outcome;
-  outcome.numbers.columns = { "x_exact_m", "x_m", "y_exact_m", "y_m", "time_s", "theta_exact_rad", "theta_rad",
-    "height_exact", "height" };
-  Series line{ "exact", Series::Look::Line, {}, {} };
-  Series dots{ "computed", Series::Look::Dots, {}, {} };
-  Series exactHeights = line;
-  Series heights = dots;
-  reference::RayErrors errors;
-  double height = 0.0;
-  constexpr int count = 40;
-  for (int i = 1; i <= count; ++i)
-  {
-    const Place place = exact.at(jet.from - 2.0 * jet.from * i / count);
-    if (!ray.advance(FrontMeasure::Time, place.time, point))
-    {
-      point.position = glm::dvec2(std::nan(""));
-    }
-    errors.add(point, place);
-    const WaveSpeeds speeds = waveSpeeds(glm::length(point.wavenumber), point.depth, medium.gravity);
-    const double computed =
-      shoalingCoefficient(point, speeds, speed0, medium.angularFrequency) * refractionCoefficient(point.tubeWidth);
-    const double now = std::abs(computed / exact.height(place.x) - 1.0);
-    height = now <= height ? height : now;
-    line.add(place.x, place.y);
-    dots.add(point.position.x, point.position.y);
-    exactHeights.add(place.x, exact.height(place.x));
-    heights.add(place.x, computed);
-    outcome.numbers.rows.push_back({ place.x, point.position.x, place.y, point.position.y, place.time, place.theta,
-      std::atan2(point.wavenumber.y, point.wavenumber.x), exact.height(place.x), computed });
-  }
-  outcome.plots = { { "ray", "x (m)", "y (m)", { line, dots }, false, true },
-    { "height by wave action", "x (m)", "H/H0", { exactHeights, heights }, false, false } };
+RayScene sceneOn(const Seafloor& bed, const Current& current, const reference::CurrentScene& water)
+{
+  RayScene scene;
+  scene.seafloor = &bed;
+  scene.current = &current;
+  scene.period = water.period;
+  scene.agroundDepth = 1e-3 * water.depth;
+  scene.by = FrontMeasure::Time;
+  scene.map = true;
+  scene.depth = [depth = water.depth](const Place&) { return depth; };
+  return scene;
+}
+
+Outcome compareOnGridsToo(const RayScene& scene, GridPlan plan, double length, const Setting& setting)
+{
   RayLimits limits;
   limits.positionReason = "some thousand steps, each right to 1e-12 of a wavelength near 150 m, add up to less";
-  addPathChecks(errors, limits, "", outcome.checks);
-  outcome.checks.push_back({ "tube width (relative)", errors.width, limits.width, limits.widthReason });
-  outcome.checks.push_back({ "height by wave action (relative)", height, limits.width, "as the tube" });
+  Outcome outcome = compareRays(scene, limits, setting);
+  plan.spacings = { length / 4.0, length / 8.0, length / 16.0 };
+  addGridConvergence(scene, plan, setting, outcome);
   return outcome;
 }
 
 }
 
+Outcome runJet(const JetProblem& jet, const Setting& setting)
+{
+  const reference::FormulaSeafloor bed = flatBed(jet.scene.depth, -2.5 * jet.from);
+  const auto current = makeBuiltinCurrent(fmt::format("jet:V0={},width={}", jet.speed, jet.width));
+  const reference::JetRay exact(jet.scene, jet.speed, jet.width, jet.from, jet.angle);
+  RayScene scene = sceneOn(bed, *current, jet.scene);
+  Track track;
+  track.start = [&](const RayMedium& medium)
+  {
+    return reference::startHeading(
+      medium, { jet.from, 0.0 }, radians(jet.angle), { 0.0, 1.0 / std::cos(exact.heading()) });
+  };
+  constexpr int count = 40;
+  for (int i = 1; i <= count; ++i)
+  {
+    if (exact.turns())
+    {
+      // By the way w, x = turning - w^2, equal steps of which are none of them the turning point, where H is infinite.
+      const double share = 1.0 - 2.0 * (i == count ? 1.0 : (i - 0.37) / count);
+      const double x = exact.turning() - (exact.turning() - jet.from) * share * share;
+      track.places.push_back(exact.at(x, share < 0.0));
+    }
+    else
+    {
+      track.places.push_back(exact.at(jet.from - 2.0 * jet.from * i / count));
+    }
+  }
+  scene.tracks = { track };
+  return compareOnGridsToo(
+    scene, planFor(exact.turns() ? GridOrder::Turning : GridOrder::Straight), jet.width, setting);
+}
+
+Outcome runEddy(const EddyProblem& eddy, const Setting& setting)
+{
+  const reference::FormulaSeafloor bed = flatBed(eddy.scene.depth, -2.5 * eddy.from);
+  const auto current = makeBuiltinCurrent(fmt::format("eddy:U0={},radius={}", eddy.speed, eddy.radius));
+  RayScene scene = sceneOn(bed, *current, eddy.scene);
+  for (const double b : eddy.b)
+  {
+    const reference::EddyRay exact(eddy.scene, eddy.speed, eddy.radius, eddy.from, b);
+    Track track;
+    track.start = [&eddy, b](const RayMedium& medium) {
+      return reference::startHeading(medium, { eddy.from, b }, 0.0, { 0.0, 1.0 });
+    };
+    constexpr int count = 30;
+    double before = 1.0;
+    int caustics = 0;
+    for (int i = 1; i <= count; ++i)
+    {
+      // None is where the ray is nearest, its radial wavenumber the root of a difference.
+      Place place = exact.at(exact.start() * (1.0 - 2.0L * (i - 0.37L) / count));
+      caustics += (place.width < 0.0) != (before < 0.0) ? 1 : 0;
+      place.caustics = caustics;
+      before = place.width;
+      track.places.push_back(place);
+    }
+    scene.tracks.push_back(track);
+  }
+  return compareOnGridsToo(scene, planFor(GridOrder::Curved), eddy.radius, setting);
+}
+
+Outcome runCollinear(const CollinearProblem& collinear, const Setting& setting)
+{
+  const double from = -8.0 * collinear.width;
+  const reference::FormulaSeafloor bed = flatBed(collinear.scene.depth, -2.0 * from);
+  Outcome all;
+  for (const double speed : collinear.speeds)
+  {
+    const reference::CollinearRay exact(collinear.scene, speed, 0.0, collinear.width, from);
+    const reference::FormulaCurrent current = exact.formula();
+    RayScene scene = sceneOn(bed, current, collinear.scene);
+    scene.map = false;
+    Track track;
+    track.start = [from](const RayMedium& medium) {
+      return reference::startHeading(medium, { from, 0.0 }, 0.0, { 0.0, 1.0 });
+    };
+    for (int i = 1; i <= 30; ++i)
+    {
+      track.places.push_back(exact.at(from - 2.0 * from * i / 30.0));
+    }
+    scene.tracks = { track };
+    GridPlan plan = planFor(GridOrder::Straight);
+    plan.symmetric = true;
+    Outcome outcome = compareOnGridsToo(scene, plan, collinear.width, setting);
+    for (Check& check : outcome.checks)
+    {
+      check.quantity += fmt::format(", U = {:.3g} m/s", speed);
+      all.checks.push_back(check);
+    }
+    for (std::vector<double>& row : outcome.numbers.rows)
+    {
+      row.insert(row.begin(), speed);
+      all.numbers.rows.push_back(row);
+    }
+    all.numbers.columns = outcome.numbers.columns;
+    outcome.plots[1].title += fmt::format(", U = {:.3g} m/s", speed);
+    all.plots.push_back(outcome.plots[1]);
+    all.plots.push_back(outcome.plots.back());
+  }
+  all.numbers.columns.insert(all.numbers.columns.begin(), "U_m_s");
+  return all;
+}
+
 std::vector<Case> currentCases()
 {
   std::vector<Case> cases;
-  constexpr double deep = 4000.0; // m: tanh k h is 1 to the last digit
-  for (const Jet& jet : { Jet{ "c8_jet_1", 2.0, 200.0, deep, 10.0, -1000.0, 40.0 },
-         Jet{ "c8_jet_2", -2.5, 250.0, deep, 10.0, -1200.0, 40.0 },
-         Jet{ "c8_jet_3", 1.5, 150.0, 12.0, 9.0, -800.0, 30.0 } })
+  const reference::CurrentScene deep;
+  struct Named
   {
-    char formula[120];
-    std::snprintf(formula, sizeof formula, "V = %g exp(-(x/%g)^2) m/s along y, h = %g m, T = %g s, %g degrees.",
-      jet.speed, jet.width, jet.depth, jet.period, jet.angle);
-    cases.push_back({ jet.name, "Ray across a shear jet",
-      std::string(formula) +
-        " ky and the flux of wave action across the jet are kept; y, t and S by quadrature in long double.",
-      [jet](const Setting& setting) { return run(jet, setting); } });
+    const char* name;
+    const char* title;
+    JetProblem jet;
+  };
+  const char* const across = "Ray across a shear jet";
+  for (const Named& c : { Named{ "c8_jet_1", across, { 2.0, 200.0, deep, -1000.0, 40.0 } },
+         Named{ "c8_jet_2", across, { -2.5, 250.0, deep, -1200.0, 40.0 } },
+         Named{ "c8_jet_3", across, { 1.5, 150.0, { 9.0, 12.0 }, -800.0, 30.0 } },
+         Named{ "c8_jet_4", "Ray turned back by a shear jet", { 3.0, 200.0, deep, -1000.0, 62.0 } } })
+  {
+    cases.push_back({ c.name, c.title,
+      fmt::format(
+        "V = {:g} exp(-(x/{:g})^2) m/s along y, h = {:g} m, T = {:g} s, {:g} degrees. ky and the flux of wave "
+        "action across the jet are kept; y, t and S by quadrature in long double.",
+        c.jet.speed, c.jet.width, c.jet.scene.depth, c.jet.scene.period, c.jet.angle),
+      [jet = c.jet](const Setting& setting) { return runJet(jet, setting); } });
   }
+  // Blocking is at -C0/4 = -3.903 m/s.
+  cases.push_back({ "c8_collinear", "Waves along a current",
+    "Deep water, T = 10 s, U growing along x to -0.96 of the blocking current -g T/8 pi, to -2.5, 2 and 5 m/s: omega "
+    "and "
+    "the flux of wave action are kept (Longuet-Higgins and Stewart 1961); t and S by quadrature in long double.",
+    [deep](const Setting& setting) {
+      return runCollinear({ deep, { -3.75, -2.5, 2.0, 5.0 }, 200.0 }, setting);
+    } });
+  cases.push_back({ "c8_eddy", "Rays through an eddy",
+    "U = 1.5 (r/R) exp((1 - r^2/R^2)/2) m/s, R = 300 m, deep water, T = 10 s, from x = -1500 m along +x: omega and the "
+    "angular momentum x ky - y kx are kept; places by quadrature in long double, the tube by neighbours of order 4.",
+    [deep](const Setting& setting) {
+      return runEddy({ 1.5, 300.0, deep, -1500.0, { -450.0, -150.0, 60.0, 300.0, 600.0 } }, setting);
+    } });
   return cases;
 }
 

@@ -1,9 +1,11 @@
 #include "RayRun.h"
 
 #include "sim/Dispersion.h"
+#include "sim/RayQuantities.h"
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -21,20 +23,58 @@ constexpr double DefaultTolerance = 1e-8;
 // Narrower tubes are next to a caustic, where a ray has no height.
 constexpr double NarrowestWidth = 0.1;
 
-double groupSpeedOf(const RayMedium& medium, const RayPoint& point)
+/** H/H0 of a computed place but for a factor that a ray keeps. */
+double computedHeight(const RayMedium& medium, const RayPoint& point)
 {
-  return waveSpeeds(glm::length(point.wavenumber), point.depth, medium.gravity).groupSpeed;
+  const WaveSpeeds speeds = waveSpeeds(glm::length(point.wavenumber), point.depth, medium.gravity);
+  return shoalingCoefficient(point, speeds, 1.0, medium.angularFrequency) * refractionCoefficient(point.tubeWidth);
 }
 
-/** H/H0 = sqrt(Cg0/(Cg |q|)), of the exact side. */
-double exactHeight(const RayScene& scene, double groupSpeed0, const Place& place)
+/** The exact wave at a place. */
+struct ExactWave
 {
-  const auto speed = reference::groupSpeed(2.0L * reference::Pi / scene.period, scene.depth(place));
-  return std::sqrt(groupSpeed0 / static_cast<double>(speed) / std::abs(place.width));
+  double wavenumber;
+  double phaseSpeed; // relative to the water
+  double groupSpeed;
+};
+
+ExactWave exactWave(const RayScene& scene, const Place& place)
+{
+  const double depth = scene.depth(place);
+  reference::Real omega = 2.0L * reference::Pi / scene.period;
+  reference::Real k = place.wavenumber;
+  if (place.wavenumber > 0.0)
+  {
+    omega = std::sqrt(reference::Gravity * k * std::tanh(k * depth));
+  }
+  else
+  {
+    k = reference::wavenumber(omega, depth);
+  }
+  return { static_cast<double>(k), static_cast<double>(omega / k),
+    static_cast<double>(reference::groupSpeed(omega, depth)) };
 }
 
-/** Trace at the finest tolerance: plots, numbers and the error of the heights. */
-double fillOutcome(const RayScene& scene, const Setting& setting, Outcome& outcome)
+void largest(double& error, double now)
+{
+  if (!(now <= error))
+  {
+    error = now;
+  }
+}
+
+/** Errors of what is known at a place beside the ray and its tube. */
+struct WaveErrors
+{
+  double depth = 0.0; // m
+  double wavenumber = 0.0;
+  double phaseSpeed = 0.0;
+  double groupSpeed = 0.0;
+  double height = 0.0;
+};
+
+/** Trace at the finest tolerance: plots, numbers and the errors of the waves. */
+WaveErrors fillOutcome(const RayScene& scene, const Setting& setting, Outcome& outcome)
 {
   Plot paths{ "rays", "x (m)", "y (m)", {}, false, scene.map };
   Plot heights{ "height along the rays", "distance travelled (m)", "H/H0", {}, false, false };
@@ -43,42 +83,48 @@ double fillOutcome(const RayScene& scene, const Setting& setting, Outcome& outco
   Series exactHeights = exactPath;
   Series computedHeights = path;
   outcome.numbers.columns = { "ray", "length_m", "x_exact_m", "x_m", "y_exact_m", "y_m", "theta_exact_rad", "theta_rad",
-    "phase_exact_rad", "phase_rad", "time_exact_s", "time_s", "width_exact", "width", "height_exact", "height" };
+    "phase_exact_rad", "phase_rad", "time_exact_s", "time_s", "width_exact", "width", "height_exact", "height",
+    "caustics_exact", "caustics", "h_exact_m", "h_m", "k_exact", "k", "C_exact", "C", "Cg_exact", "Cg" };
   const RayMedium medium = mediumOf(scene, setting);
-  double error = 0.0;
+  WaveErrors errors;
   double number = 0.0;
   for (const Track& track : scene.tracks)
   {
     const RayStart start = track.start(medium);
     HamiltonianRay ray(medium, start, FineTolerance);
     RayPoint point;
-    ray.advance(FrontMeasure::Length, 0.0, point);
-    const double speed0 = groupSpeedOf(medium, point);
+    ray.advance(scene.by, 0.0, point);
+    const double height0 = computedHeight(medium, point);
     Place begin;
     begin.x = start.position.x;
     begin.y = start.position.y;
-    const double exactSpeed0 =
-      static_cast<double>(reference::groupSpeed(2.0L * reference::Pi / scene.period, scene.depth(begin)));
+    const double exactSpeed0 = exactWave(scene, begin).groupSpeed;
     exactPath.add(begin.x, begin.y);
     for (const Place& place : track.places)
     {
-      const double target = scene.by == FrontMeasure::Length ? place.length : place.phase;
-      const bool reached = ray.advance(scene.by, target, point);
-      const double exact = exactHeight(scene, exactSpeed0, place);
-      const double height =
-        reached ? std::sqrt(speed0 / groupSpeedOf(medium, point) / std::abs(point.tubeWidth)) : NotANumber;
+      const bool reached = ray.advance(scene.by, targetOf(scene, place), point);
+      const double depth = scene.depth(place);
+      const ExactWave wave = exactWave(scene, place);
+      const double k = glm::length(point.wavenumber);
+      const WaveSpeeds speeds = waveSpeeds(k, point.depth, medium.gravity);
+      const double exact =
+        place.height > 0.0 ? place.height : std::sqrt(exactSpeed0 / wave.groupSpeed / std::abs(place.width));
+      const double height = reached ? computedHeight(medium, point) / height0 : NotANumber;
       const bool wide = std::abs(place.width) > NarrowestWidth;
-      if (wide && !(std::abs(height / exact - 1.0) <= error))
-      {
-        error = std::abs(height / exact - 1.0);
-      }
+      largest(errors.height, wide ? std::abs(height / exact - 1.0) : 0.0);
+      largest(errors.depth, std::abs(point.depth - depth));
+      largest(errors.wavenumber, std::abs(k / wave.wavenumber - 1.0));
+      largest(errors.phaseSpeed, std::abs(speeds.phaseSpeed / wave.phaseSpeed - 1.0));
+      largest(errors.groupSpeed, std::abs(speeds.groupSpeed / wave.groupSpeed - 1.0));
       exactPath.add(place.x, place.y);
       path.add(point.position.x, point.position.y);
       exactHeights.add(place.length, wide ? exact : NotANumber);
       computedHeights.add(place.length, wide ? height : NotANumber);
       outcome.numbers.rows.push_back({ number, place.length, place.x, point.position.x, place.y, point.position.y,
         place.theta, std::atan2(point.wavenumber.y, point.wavenumber.x), place.phase, point.phase, place.time,
-        point.travelTime, place.width, point.tubeWidth, exact, height });
+        point.travelTime, place.width, point.tubeWidth, exact, height, static_cast<double>(place.caustics),
+        static_cast<double>(point.caustics), depth, point.depth, wave.wavenumber, k, wave.phaseSpeed, speeds.phaseSpeed,
+        wave.groupSpeed, speeds.groupSpeed });
     }
     exactPath.add(NotANumber, NotANumber);
     exactHeights.add(NotANumber, NotANumber);
@@ -87,7 +133,7 @@ double fillOutcome(const RayScene& scene, const Setting& setting, Outcome& outco
   paths.series = { exactPath, path };
   heights.series = { exactHeights, computedHeights };
   outcome.plots = { paths, heights };
-  return error;
+  return errors;
 }
 
 /**
@@ -131,7 +177,22 @@ RayMedium mediumOf(const RayScene& scene, const Setting& setting)
 {
   RayMedium medium = reference::mediumOf(*scene.seafloor, scene.period, scene.agroundDepth);
   medium.gravity = setting.gravity;
+  medium.current = scene.current;
   return medium;
+}
+
+double targetOf(const RayScene& scene, const Place& place)
+{
+  switch (scene.by)
+  {
+  case FrontMeasure::Phase:
+    return place.phase;
+  case FrontMeasure::Time:
+    return place.time;
+  case FrontMeasure::Length:
+    break;
+  }
+  return place.length;
 }
 
 RayErrors rayErrors(const RayScene& scene, const Setting& setting, double tolerance, std::size_t* evaluations)
@@ -144,7 +205,7 @@ RayErrors rayErrors(const RayScene& scene, const Setting& setting, double tolera
     RayPoint point;
     for (const Place& place : track.places)
     {
-      if (!ray.advance(scene.by, scene.by == FrontMeasure::Length ? place.length : place.phase, point))
+      if (!ray.advance(scene.by, targetOf(scene, place), point))
       {
         errors.position = std::numeric_limits<double>::infinity();
         return errors;
@@ -169,16 +230,29 @@ void addPathChecks(
   checks.push_back({ "travel time (relative)" + suffix, errors.time, limits.relative, same });
 }
 
-Outcome compareRays(const RayScene& scene, const RayLimits& limits, const Setting& setting)
+Outcome compareRays(const RayScene& given, const RayLimits& limits, const Setting& setting)
 {
+  const WrongSeafloor bed(*given.seafloor, setting);
+  RayScene scene = given;
+  scene.seafloor = &bed;
   Outcome outcome;
   const RayErrors errors = rayErrors(scene, setting, FineTolerance);
-  const double heightError = fillOutcome(scene, setting, outcome);
+  const WaveErrors waves = fillOutcome(scene, setting, outcome);
   addPathChecks(errors, limits, "", outcome.checks);
   outcome.checks.push_back({ "tube width (relative)", errors.width, limits.width, limits.widthReason });
   outcome.checks.push_back(
-    { "height (relative)", heightError, limits.width, "H/H0 = sqrt(Cg0/(Cg |q|)) where |q| > 0.1: as the tube" });
+    { "height (relative)", waves.height, limits.width, "of a constant flux of action, where |q| > 0.1: as the tube" });
   outcome.checks.push_back({ "places with wrong caustics", static_cast<double>(errors.caustics), 0.0, "a count" });
+  const std::string here = "what a place off by the position's error finds, and rounding";
+  double kilometres = 1.0;
+  for (const Track& track : scene.tracks)
+  {
+    kilometres = track.places.empty() ? kilometres : std::max(kilometres, track.places.back().length / 1000.0);
+  }
+  outcome.checks.push_back({ "depth (m)", waves.depth, limits.position * kilometres, here });
+  outcome.checks.push_back({ "wavenumber (relative)", waves.wavenumber, limits.relative, here });
+  outcome.checks.push_back({ "phase speed (relative)", waves.phaseSpeed, limits.relative, here });
+  outcome.checks.push_back({ "group speed (relative)", waves.groupSpeed, limits.relative, here });
   // Errors go as the tolerance of a step.
   const double looser = DefaultTolerance / FineTolerance;
   const RayErrors usual = rayErrors(scene, setting, DefaultTolerance);

@@ -18,6 +18,7 @@ struct Track
 struct RayScene
 {
   const Seafloor* seafloor = nullptr;
+  const Current* current = nullptr;
   double period = 10.0;       ///< s
   double agroundDepth = 0.01; ///< m
   FrontMeasure by = FrontMeasure::Length;
@@ -40,6 +41,44 @@ struct RayLimits
 constexpr double FineTolerance = 1e-12;
 
 RayMedium mediumOf(const RayScene& scene, const Setting& setting);
+
+/** Quantity of a place in which the rays of the scene are followed. */
+double targetOf(const RayScene& scene, const reference::Place& place);
+
+/** A seafloor whose derivatives are wrong by the factors of a setting. */
+class WrongSeafloor final : public Seafloor
+{
+public:
+  WrongSeafloor(const Seafloor& seafloor, const Setting& setting)
+    : Right(seafloor)
+    , Slope(setting.bedSlope)
+    , Curvature(setting.bedCurvature)
+  {
+  }
+
+  Rectangle bounds() const override { return this->Right.bounds(); }
+  void evaluate(const glm::dvec2& p, unsigned region, BedSample& bed) const override
+  {
+    this->Right.evaluate(p, region, bed);
+    bed.gradient *= this->Slope;
+    bed.xx *= this->Curvature;
+    bed.xy *= this->Curvature;
+    bed.yy *= this->Curvature;
+  }
+  double featureLength() const override { return this->Right.featureLength(); }
+  double resolution() const override { return this->Right.resolution(); }
+  double cellSize() const override { return this->Right.cellSize(); }
+  unsigned kinkCount() const override { return this->Right.kinkCount(); }
+  double kinkLevel(unsigned i, const glm::dvec2& p, glm::dvec2& gradient) const override
+  {
+    return this->Right.kinkLevel(i, p, gradient);
+  }
+
+private:
+  const Seafloor& Right;
+  double Slope;
+  double Curvature;
+};
 
 /**
  * Trace the rays and compare positions, headings, phases, times, tubes and heights with the exact places: at the finest

@@ -134,6 +134,10 @@ std::vector<ReportFile> makeReport(const std::vector<Finding>& findings, const R
     sections += caseSection(finding, picture);
     files.push_back({ finding.what.name + ".svg", picture });
     files.push_back({ finding.what.name + ".csv", numbersCsv(finding.outcome.numbers) });
+    if (!finding.outcome.grids.rows.empty())
+    {
+      files.push_back({ finding.what.name + "_grids.csv", numbersCsv(finding.outcome.grids) });
+    }
   }
   files.push_back({ "checks.csv", checksCsv(findings) });
   const auto failed =

@@ -1,7 +1,7 @@
 // Shallow water: the curves of rays where C = sqrt(g h), approached by long waves.
 #include "DesignedRays.h"
 #include "Families.h"
-#include "RayRun.h"
+#include "GridRun.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,16 +40,54 @@ double periodOf(double share, double depth)
   return 2.0 * Pi * std::sqrt(depth / (6.0 * static_cast<double>(reference::Gravity) * share));
 }
 
-ShallowErrors errorsAt(const ShallowCase& c, double period, const Setting& setting, Outcome* outcome)
+reference::Formula depthOf(const ShallowCase& c)
 {
-  const double start = c.curve.position.x;
   reference::Formula formula;
-  formula.depth = [&](const Jet& x, const Jet& y, unsigned)
+  formula.depth = [c](const Jet& x, const Jet& y, unsigned)
   {
+    const double start = c.curve.position.x;
     const Jet square = c.circular ? x * x + y * y : x * x;
     return c.depth * reference::pow(square / (start * start), 0.5 * c.power);
   };
+  return formula;
+}
+
+/** Rays of a period at which the seafloor is not shallow, on grids: by the equations of Munk and Arthur on the formula. */
+void addGrids(const ShallowCase& c, const Setting& setting, Outcome& outcome)
+{
+  constexpr double share = 1e-2;
+  const reference::Formula formula = depthOf(c);
   const reference::FormulaSeafloor seafloor(formula, c.curve.bounds, c.curve.feature);
+  RayScene scene;
+  scene.seafloor = &seafloor;
+  scene.period = periodOf(share, c.depth);
+  scene.agroundDepth = 1e-3;
+  scene.depth = [&](const Place& place) { return formula.depth(Jet(place.x), Jet(place.y), 0).value; };
+  Place start;
+  start.x = c.curve.position.x;
+  start.y = c.curve.position.y;
+  start.theta = c.curve.heading;
+  std::vector<double> lengths;
+  for (const Place& place : c.curve.places)
+  {
+    lengths.push_back(0.9 * place.length); // dispersion turns the last of the way aside, on the plane to the shore
+  }
+  scene.tracks = { { [&c](const RayMedium& medium)
+    {
+      const glm::dvec2 left(-std::sin(c.curve.heading), std::cos(c.curve.heading));
+      return reference::startHeading(medium, c.curve.position, c.curve.heading, left);
+    },
+    traceMunkArthur(formula, 2.0 * Pi / scene.period, start, lengths, 0.02 * c.curve.feature) } };
+  // h goes as x, x^2 and r^2: polynomials.
+  GridPlan plan = planFor(c.circular && c.power == 1.0 ? GridOrder::Curved : GridOrder::Exact);
+  plan.spacings = { 80.0, 40.0, 20.0 };
+  addGridConvergence(scene, plan, setting, outcome);
+}
+
+ShallowErrors errorsAt(const ShallowCase& c, double period, const Setting& setting, Outcome* outcome)
+{
+  const double start = c.curve.position.x;
+  const reference::FormulaSeafloor seafloor(depthOf(c), c.curve.bounds, c.curve.feature);
   RayMedium medium = reference::mediumOf(seafloor, period, 1e-3);
   medium.gravity = setting.gravity;
   HamiltonianRay ray(medium, c.curve.start(medium), 1e-13);
@@ -121,6 +159,7 @@ Outcome run(const ShallowCase& c, const Setting& setting)
   Series line = fittedLine(times, -order);
   line.name = "fitted to travel time";
   outcome.plots.push_back({ title, "period (s)", "relative", { line, dots, times }, true, false });
+  addGrids(c, setting, outcome);
   return outcome;
 }
 

@@ -1,13 +1,15 @@
 // Straight parallel contours: Snell's law, trapped rays, and the way from deep water through the whole tracer.
 #include "Families.h"
-#include "RayRun.h"
-#include "StraightForms.h"
+#include "GridRun.h"
+#include "Problems.h"
 #include "TrappedRay.h"
 
 #include "sim/BuiltinSeafloor.h"
 #include "sim/RayQuantities.h"
+#include "sim/SplineSeafloor.h"
 #include "sim/WaveHeight.h"
 #include "sim/WaveTracer.h"
+#include "sim/forms/PlaneBeach.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,22 +24,25 @@ namespace
 using reference::Place;
 using reference::Real;
 
-struct Beach
+/** As far as the grid holds the formula. */
+RayScene upTo(RayScene scene, double nearest)
 {
-  const char* name;
-  const char* title;
-  const char* formula;
-  const char* spec;
-  reference::Depth depth;
-  double period;
-  double x0;      // m
-  double theta0;  // degrees from the shore normal
-  double nearest; // m, x of the last place
-};
+  for (Track& track : scene.tracks)
+  {
+    std::vector<Place>& places = track.places;
+    places.erase(
+      std::remove_if(places.begin(), places.end(), [nearest](const Place& place) { return place.x < nearest; }),
+      places.end());
+  }
+  return scene;
+}
+
+}
 
 Outcome runBeach(const Beach& beach, const Setting& setting)
 {
-  const auto seafloor = makeBuiltinSeafloor(std::string(beach.spec) + ",x0=-100,x1=12100,y0=-40000,y1=40000");
+  const auto seafloor =
+    makeBuiltinSeafloor(beach.spec + ",x0=-100,x1=" + std::to_string(beach.x0 + 100.0) + ",y0=-40000,y1=40000");
   const double omega = 2.0 * Pi / beach.period;
   const double theta0 = radians(beach.theta0);
   const reference::StraightRay exact(beach.depth, omega, beach.x0, theta0);
@@ -56,7 +61,15 @@ Outcome runBeach(const Beach& beach, const Setting& setting)
   scene.period = beach.period;
   scene.tracks = { track };
   scene.depth = [&](const Place& place) { return static_cast<double>(beach.depth(place.x)); };
-  return compareRays(scene, {}, setting);
+  Outcome outcome = compareRays(scene, {}, setting);
+  GridPlan plan = planFor(beach.plane ? GridOrder::Exact : GridOrder::Straight);
+  for (const double part : { 1.0, 0.5, 0.25 })
+  {
+    plan.spacings.push_back(part * beach.coarsest);
+  }
+  plan.within.low.x = beach.gridFrom;
+  addGridConvergence(upTo(scene, beach.nearestOnGrid), plan, setting, outcome);
+  return outcome;
 }
 
 Outcome runTrapped(const reference::TrappedRay& exact, const Setting& setting)
@@ -79,8 +92,15 @@ Outcome runTrapped(const reference::TrappedRay& exact, const Setting& setting)
   scene.period = exact.period;
   scene.tracks = { track };
   scene.depth = [&](const Place& place) { return exact.slope * place.x; };
-  return compareRays(scene, {}, setting);
+  Outcome outcome = compareRays(scene, {}, setting);
+  GridPlan plan = planFor(GridOrder::Exact);
+  plan.spacings = { 0.4 * exact.x0, 0.2 * exact.x0, 0.1 * exact.x0 };
+  addGridConvergence(scene, plan, setting, outcome);
+  return outcome;
 }
+
+namespace
+{
 
 /** Errors of a wave traced from deep water onto a plane beach, as `swellray trace` does it. */
 struct DeepErrors
@@ -99,12 +119,13 @@ void largest(double& error, double now)
   }
 }
 
-DeepErrors traceFromDeep(
-  double period, double degreesFromNormal, const Setting& setting, double tolerance, Outcome* outcome)
+constexpr double DeepSlope = 0.02;
+// Waves towards -x, the shore at x = 0; the crest comes from the side.
+const Rectangle DeepScene{ { -100.0, -3000.0 }, { 9000.0, 3000.0 } };
+
+DeepErrors traceFromDeep(const Seafloor& seafloor, double period, double degreesFromNormal, const Setting& setting,
+  double tolerance, Outcome* outcome)
 {
-  constexpr double slope = 0.02;
-  // Waves towards -x, the shore at x = 0; the crest comes from the side.
-  const auto seafloor = makeBuiltinSeafloor("plane:s=0.02,x0=-100,x1=9000,y0=-3000,y1=3000");
   IncidentWave wave;
   wave.period = period;
   wave.directionFrom = 90.0 + degreesFromNormal;
@@ -117,7 +138,7 @@ DeepErrors traceFromDeep(
   options.spacing = 1000.0;
   options.step = 150.0;
   options.agroundDepth = 0.5;
-  const RayField field = traceWaves(*seafloor, wave, options);
+  const RayField field = traceWaves(seafloor, wave, options);
   const std::size_t n = field.points.size();
   std::vector<double> depth(n);
   std::vector<double> k(n);
@@ -168,7 +189,7 @@ DeepErrors traceFromDeep(
     {
       continue;
     }
-    const Real h = slope * position[3 * i];
+    const Real h = DeepSlope * position[3 * i];
     const Real exactSine = sine0 * omega * omega / (reference::Gravity * reference::wavenumber(omega, h));
     const double theta = static_cast<double>(std::asin(exactSine));
     const double exactKr = static_cast<double>(
@@ -195,6 +216,7 @@ Outcome deepToDepth(const Setting& setting)
   Outcome outcome;
   outcome.numbers.columns = { "T_s", "theta_deep_deg", "h_m", "theta_exact_deg", "theta_deg", "Kr_exact", "Kr",
     "Ks_exact", "Ks", "H_exact_m", "H_m" };
+  const PlaneBeach beach(DeepScene, 90.0, DeepSlope, 0.0);
   DeepErrors worst;
   Plot plot{ "height from deep water to the shore", "depth (m)", "H (m)", {}, false, false };
   for (const double period : { 8.0, 12.0 })
@@ -202,7 +224,7 @@ Outcome deepToDepth(const Setting& setting)
     for (const double theta : { 20.0, 45.0, 70.0 })
     {
       const std::size_t first = outcome.numbers.rows.size();
-      const DeepErrors errors = traceFromDeep(period, theta, setting, FineTolerance, &outcome);
+      const DeepErrors errors = traceFromDeep(beach, period, theta, setting, FineTolerance, &outcome);
       largest(worst.theta, errors.theta);
       largest(worst.kr, errors.kr);
       largest(worst.ks, errors.ks);
@@ -227,13 +249,23 @@ Outcome deepToDepth(const Setting& setting)
   }
   plot.series[1].name = "computed";
   outcome.plots = { plot };
-  const DeepErrors usual = traceFromDeep(12.0, 45.0, setting, 1e-8, nullptr);
+  const DeepErrors usual = traceFromDeep(beach, 12.0, 45.0, setting, 1e-8, nullptr);
   constexpr double fine = 2e-10;
   const std::string steps = "some hundred steps, each right to 1e-12";
   outcome.checks = { { "heading (rad)", worst.theta, fine, steps },
     { "Kr (relative)", worst.kr, 1e-9, "as any tube's width" }, { "Ks (relative)", worst.ks, fine, steps },
     { "H (relative)", worst.height, 1e-9, "product of Ks and Kr" },
     { "H (relative), default", usual.height, 1e-5, "errors go as the tolerance of a step, 1e-8 in place of 1e-12" } };
+  for (const double spacing : { 200.0, 100.0, 50.0 })
+  {
+    const SplineSeafloor grid(
+      sampledGrid([](const glm::dvec2& p) { return -DeepSlope * p.x; }, DeepScene, glm::dvec2(spacing), 0.0));
+    const DeepErrors gridded = traceFromDeep(grid, 12.0, 45.0, setting, FineTolerance, nullptr);
+    const std::string at = ", grid of " + std::to_string(static_cast<int>(spacing)) + " m";
+    const std::string reason = "a cubic spline reproduces a plane at any spacing: as on the formula";
+    outcome.checks.push_back({ "heading (rad)" + at, gridded.theta, 10.0 * fine, reason });
+    outcome.checks.push_back({ "H (relative)" + at, gridded.height, 1e-8, reason });
+  }
   return outcome;
 }
 
@@ -242,19 +274,21 @@ Outcome deepToDepth(const Setting& setting)
 std::vector<Case> straightCases()
 {
   std::vector<Case> cases;
-  for (const Beach& beach : { Beach{ "c2_plane_A", "Plane beach, 1 in 50, 45 degrees", "h = 0.02 x, T = 10 s",
-                                "plane:s=0.02", reference::planeDepth(0.02L), 10.0, 2000.0, 45.0, 5.0 },
-         Beach{ "c2_plane_B", "Plane beach, 1 in 20, 30 degrees", "h = 0.05 x, T = 7 s", "plane:s=0.05",
-           reference::planeDepth(0.05L), 7.0, 1500.0, 30.0, 2.0 },
-         Beach{ "c2_plane_C_deep70", "Plane beach, 1 in 100, 70 degrees", "h = 0.01 x, T = 12 s", "plane:s=0.01",
-           reference::planeDepth(0.01L), 12.0, 12000.0, 70.0, 10.0 },
-         Beach{ "c5_dean_A", "Dean's equilibrium beach", "h = 0.12 x^(2/3), T = 9 s", "dean:A=0.12",
-           reference::deanDepth(0.12L), 9.0, 3000.0, 40.0, 5.0 },
-         Beach{ "c5_bar_A", "Barred beach", "h = 0.02 x - 2 exp(-((x - 200)/40)^2), T = 9 s",
-           "bar:s=0.02,hb=2,xb=200,wb=40", reference::barDepth(0.02L, 2.0L, 200.0L, 40.0L), 9.0, 1500.0, 40.0, 10.0 } })
+  for (const Beach& beach :
+    { Beach{ "c2_plane_A", "Plane beach, 1 in 50, 45 degrees", "h = 0.02 x, T = 10 s", "plane:s=0.02",
+        reference::planeDepth(0.02L), 10.0, 2000.0, 45.0, 5.0, true, 200.0, 0.0, -100.0 },
+      Beach{ "c2_plane_B", "Plane beach, 1 in 20, 30 degrees", "h = 0.05 x, T = 7 s", "plane:s=0.05",
+        reference::planeDepth(0.05L), 7.0, 1500.0, 30.0, 2.0, true, 100.0, 0.0, -100.0 },
+      Beach{ "c2_plane_C_deep70", "Plane beach, 1 in 100, 70 degrees", "h = 0.01 x, T = 12 s", "plane:s=0.01",
+        reference::planeDepth(0.01L), 12.0, 12000.0, 70.0, 10.0, true, 400.0, 0.0, -100.0 },
+      Beach{ "c5_dean_A", "Dean's equilibrium beach", "h = 0.12 x^(2/3), T = 9 s", "dean:A=0.12",
+        reference::deanDepth(0.12L), 9.0, 3000.0, 40.0, 5.0, false, 50.0, 300.0, 40.0 },
+      Beach{ "c5_bar_A", "Barred beach", "h = 0.02 x - 2 exp(-((x - 200)/40)^2), T = 9 s",
+        "bar:s=0.02,hb=2,xb=200,wb=40", reference::barDepth(0.02L, 2.0L, 200.0L, 40.0L), 9.0, 1500.0, 40.0, 10.0, false,
+        10.0, 10.0, -100.0 } })
   {
     cases.push_back({ beach.name, beach.title,
-      std::string(beach.formula) +
+      beach.formula +
         ". Snell's law: k sin(theta) is constant; y, S and t by quadrature in long double, q = cos(theta)/cos(theta0).",
       [beach](const Setting& setting) { return runBeach(beach, setting); } });
   }

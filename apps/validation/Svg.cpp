@@ -117,6 +117,18 @@ void equalize(Axis& x, Axis& y)
 std::string drawSeries(const Series& series, const char* color, const Axis& x, const Axis& y)
 {
   std::string text;
+  if (series.look == Series::Look::Crosses)
+  {
+    for (std::size_t i = 0; i < series.x.size(); ++i)
+    {
+      if (x.holds(series.x[i]) && y.holds(series.y[i]))
+      {
+        text += fmt::format(
+          "<path d='M{0:.2f} {1:.2f}h8m-4 -4v8' stroke='{2}'/>\n", x.at(series.x[i]) - 4.0, y.at(series.y[i]), color);
+      }
+    }
+    return text;
+  }
   if (series.look == Series::Look::Dots)
   {
     const std::size_t every = 1 + series.x.size() / MostDots;
@@ -186,7 +198,7 @@ std::string drawLegend(const Plot& plot, const std::vector<const char*>& colors,
     Axis sampleX{ 0.0, 1.0, left, left + 22.0, false };
     Axis sampleY{ 0.0, 1.0, row - 4.0, row - 5.0, false };
     Series sample{ "", series.look, { 0.0, 1.0 }, { 0.0, 0.0 } };
-    if (series.look == Series::Look::Dots)
+    if (series.look == Series::Look::Dots || series.look == Series::Look::Crosses)
     {
       sample.x = { 0.5 };
       sample.y = { 0.0 };

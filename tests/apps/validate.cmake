@@ -29,4 +29,4 @@ swellray_cli_test(validate_full_disk 1 "^0\n$" "cannot write 'report/"
   "( ulimit -f 1; $SWELLRAY validate --quiet --case c1 --report report 2>err ); code=$?; grep cannot err >&2; ls -A report | wc -l; exit $code")
 set_tests_properties(apps.validate_quick apps.validate_perturbed PROPERTIES TIMEOUT 300)
 
-target_link_libraries(swellray_apps_tests PRIVATE swellrayValidation)
+target_link_libraries(swellray_apps_tests PRIVATE swellrayValidation swellrayReferences)

@@ -74,6 +74,7 @@ TEST(BreakerLine, hasWhatItsClassCommentSays)
   EXPECT_LT(valueOf(lines, "LongshoreTransport", i), 0.0);
   EXPECT_GT(valueOf(lines, "IribarrenNumber", i), valueOf(lines, "BreakerIribarrenNumber", i));
   EXPECT_EQ(valueOf(lines, "BreakerType", i), 1.0);
+  EXPECT_EQ(valueOf(lines, "BreakerTypeAtBreaking", i), 1.0);
   EXPECT_TRUE(std::isnan(valueOf(lines, "VortexRatio", i))); // 1:50
   EXPECT_LT(valueOf(lines, "SetDown", i), 0.0);
   EXPECT_GT(valueOf(lines, "SetUp", i), 0.0);

@@ -326,6 +326,7 @@ TEST(BreakerLine, agreesWithTheTable)
     EXPECT_NEAR(surf.Lines.iribarrenOffshore[0], row[11], 1e-9);
     EXPECT_NEAR(surf.Lines.iribarrenBreaking[0], row[12], FineTolerance * row[12]);
     EXPECT_EQ(surf.Lines.type[0], static_cast<std::uint8_t>(row[13]) + 1);
+    EXPECT_EQ(surf.Lines.typeAtBreaking[0], static_cast<std::uint8_t>(row[14]) + 1);
     ++rows;
   }
   EXPECT_GE(rows, 7);

@@ -82,6 +82,10 @@ TEST(Breaking, breakersHaveTypes)
   EXPECT_EQ(breakerType(0.5), BreakerType::Plunging);
   EXPECT_EQ(breakerType(3.3), BreakerType::Plunging);
   EXPECT_EQ(breakerType(3.31), BreakerType::Surging);
+  EXPECT_EQ(breakerTypeAtBreaking(0.399), BreakerType::Spilling);
+  EXPECT_EQ(breakerTypeAtBreaking(0.4), BreakerType::Plunging);
+  EXPECT_EQ(breakerTypeAtBreaking(2.0), BreakerType::Plunging);
+  EXPECT_EQ(breakerTypeAtBreaking(2.01), BreakerType::Surging);
   EXPECT_EQ(breakingRuleName(BreakingRule::BattjesJanssen), std::string("battjes-janssen"));
 }
 

@@ -26,8 +26,19 @@ inline RayMedium mediumOf(const Seafloor& seafloor, double period, double agroun
 /** Wavenumber at a place for a heading, by the library's own dispersion relation. */
 inline glm::dvec2 wavenumberAt(const RayMedium& medium, const glm::dvec2& position, double heading)
 {
-  const double k = solveWavenumber(medium.angularFrequency, medium.depth(position), medium.gravity);
-  return k * glm::dvec2(std::cos(heading), std::sin(heading));
+  const glm::dvec2 along(std::cos(heading), std::sin(heading));
+  const double depth = medium.depth(position);
+  double k = solveWavenumber(medium.angularFrequency, depth, medium.gravity);
+  if (medium.current)
+  {
+    // sigma + k.U = omega by repetition: rays start where the current is weak.
+    const double speed = glm::dot(medium.current->velocity(position), along);
+    for (int i = 0; i < 50; ++i)
+    {
+      k = solveWavenumber(medium.angularFrequency - k * speed, depth, medium.gravity);
+    }
+  }
+  return k * along;
 }
 
 /** Start of rays that all have this heading along a line: its tangent is dPosition. */
@@ -38,11 +49,20 @@ inline RayStart startHeading(
   start.position = position;
   start.wavenumber = wavenumberAt(medium, position, heading);
   start.dPosition = tangent;
-  // The depth may vary along the line, and with it |k|: dk/dh = -sigma_h/sigma_k.
-  const double alongLine = -glm::dot(medium.seafloor->bed(position).gradient, tangent);
+  // Depth and current may vary along the line, and with them |k|: dk = -(sigma_h dh + k.dU)/(sigma_k + U along k).
+  const glm::dvec2 along(std::cos(heading), std::sin(heading));
   Frequency frequency{};
   evaluateFrequency(glm::length(start.wavenumber), medium.depth(position), medium.gravity, frequency);
-  start.dWavenumber = -frequency.h / frequency.k * alongLine * glm::dvec2(std::cos(heading), std::sin(heading));
+  double change = -frequency.h * glm::dot(medium.seafloor->bed(position).gradient, tangent);
+  double speed = frequency.k;
+  if (medium.current)
+  {
+    CurrentSample current;
+    medium.current->evaluate(position, current);
+    change += glm::dot(start.wavenumber, tangent.x * current.dx + tangent.y * current.dy);
+    speed += glm::dot(current.velocity, along);
+  }
+  start.dWavenumber = -change / speed * along;
   return start;
 }
 

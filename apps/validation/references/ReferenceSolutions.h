@@ -32,6 +32,9 @@ struct Place
   double length = 0.0; ///< m since the start
   double width = 1.0;  ///< signed, over the width at the start
   int caustics = 0;    ///< passed since the start
+  // Where there is a current; 0 in still water, where the depth and the width say both.
+  double wavenumber = 0.0; ///< rad/m
+  double height = 0.0;     ///< over that at the start
 };
 
 /** Wavenumber of omega^2 = g k tanh(k h) by Newton's method in long double, rad/m. */
