@@ -118,6 +118,8 @@ Outcome runCollinear(const CollinearProblem& collinear, const Setting& setting)
   const double from = -8.0 * collinear.width;
   const reference::FormulaSeafloor bed = flatBed(collinear.scene.depth, -2.0 * from);
   Outcome all;
+  Plot heights{ "height along the current", "distance travelled (m)", "H/H0", {}, false, false };
+  Plot grids{ "on grids", "spacing (m)", "position (m), root mean square", {}, true, false };
   for (const double speed : collinear.speeds)
   {
     const reference::CollinearRay exact(collinear.scene, speed, 0.0, collinear.width, from);
@@ -147,10 +149,20 @@ Outcome runCollinear(const CollinearProblem& collinear, const Setting& setting)
       all.numbers.rows.push_back(row);
     }
     all.numbers.columns = outcome.numbers.columns;
-    outcome.plots[1].title += fmt::format(", U = {:.3g} m/s", speed);
-    all.plots.push_back(outcome.plots[1]);
-    all.plots.push_back(outcome.plots.back());
+    // Of the ray's plots the heights, and of those on grids the position: the rest is symmetry.
+    const std::string name = fmt::format("U = {:.3g} m/s", speed);
+    Series exactHeights = outcome.plots[1].series[0];
+    Series found = outcome.plots[1].series[1];
+    exactHeights.name = "";
+    found.name = name;
+    heights.series.push_back(exactHeights);
+    heights.series.push_back(found);
+    const std::vector<Series>& errors = outcome.plots.back().series;
+    grids.series.push_back(errors[0]);
+    grids.series.push_back(errors[1]);
+    grids.series.back().name.replace(0, std::string("position (m)").size(), name);
   }
+  all.plots = { heights, grids };
   all.numbers.columns.insert(all.numbers.columns.begin(), "U_m_s");
   return all;
 }

@@ -260,8 +260,11 @@ std::string drawSvg(const std::vector<Plot>& plots)
       std::count_if(plot.series.begin(), plot.series.end(), [](const Series& s) { return !s.name.empty(); });
     names = std::max(names, static_cast<std::size_t>(count));
   }
-  const double height = PanelHeight + LegendLine * static_cast<double>(names);
-  const double width = PanelWidth * static_cast<double>(plots.size());
+  // Three beside one another fit a page; four are a square.
+  const std::size_t columns = plots.size() == 4 ? 2 : std::min<std::size_t>(std::max<std::size_t>(plots.size(), 1), 3);
+  const double rowHeight = PanelHeight + LegendLine * static_cast<double>(names) + 8.0;
+  const double height = rowHeight * std::ceil(static_cast<double>(plots.size()) / static_cast<double>(columns));
+  const double width = PanelWidth * static_cast<double>(columns);
   std::string text =
     fmt::format("<svg xmlns='http://www.w3.org/2000/svg' width='{0:g}' height='{1:g}' viewBox='0 0 {0:g} {1:g}' "
                 "font-family='sans-serif' font-size='12' fill='#222'>\n"
@@ -270,9 +273,10 @@ std::string drawSvg(const std::vector<Plot>& plots)
   for (std::size_t i = 0; i < plots.size(); ++i)
   {
     const Plot& plot = plots[i];
-    const double panel = PanelWidth * static_cast<double>(i);
-    Axis x{ 0.0, 1.0, panel + Left, panel + PanelWidth - Right, plot.logarithmic };
-    Axis y{ 0.0, 1.0, PanelHeight - Bottom, Top, plot.logarithmic };
+    const double left = PanelWidth * static_cast<double>(i % columns);
+    const double top = rowHeight * std::floor(static_cast<double>(i / columns));
+    Axis x{ 0.0, 1.0, left + Left, left + PanelWidth - Right, plot.logarithmic };
+    Axis y{ 0.0, 1.0, top + PanelHeight - Bottom, top + Top, plot.logarithmic };
     fit(x, plot, &Series::x);
     fit(y, plot, &Series::y);
     if (plot.equalScales)
@@ -285,7 +289,7 @@ std::string drawSvg(const std::vector<Plot>& plots)
     {
       text += drawSeries(plot.series[s], colors[s], x, y);
     }
-    text += drawLegend(plot, colors, x, PanelHeight + 8.0);
+    text += drawLegend(plot, colors, x, top + PanelHeight + 8.0);
   }
   return text + "</svg>\n";
 }

@@ -5,7 +5,7 @@
 namespace swellray::validation
 {
 
-/** Plots side by side as one SVG picture, made of text alone: no display, no fonts are needed. */
+/** Plots in rows of up to three as one SVG picture, made of text alone: no display, no fonts are needed. */
 std::string drawSvg(const std::vector<Plot>& plots);
 
 /** Text with the characters that XML keeps for itself replaced. */
