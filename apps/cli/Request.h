@@ -72,7 +72,13 @@ struct ValidateRequest
   bool list = false;
   bool quick = false;
   std::string report;   ///< folder; empty: none
-  double perturb = 0.0; ///< share by which gravity is made wrong
+  double perturb = 0.0; ///< share by which a formula is made wrong
+  enum class Formula
+  {
+    Dispersion, ///< by gravity
+    Bending,    ///< of rays, by the slope of the bed
+    Tube,       ///< its equation, by the curvature of the bed
+  } perturbed = Formula::Dispersion;
 };
 
 /** Files to write; empty: not asked for. */

@@ -147,7 +147,19 @@ void runValidate(const Request& request, Console& console)
     folder = std::make_unique<ReportFolder>(wanted.report);
   }
   validation::Setting setting;
-  setting.gravity = StandardGravity * (1.0 + wanted.perturb);
+  const double factor = 1.0 + wanted.perturb;
+  switch (wanted.perturbed)
+  {
+  case ValidateRequest::Formula::Dispersion:
+    setting.gravity *= factor;
+    break;
+  case ValidateRequest::Formula::Bending:
+    setting.bedSlope = factor;
+    break;
+  case ValidateRequest::Formula::Tube:
+    setting.bedCurvature = factor;
+    break;
+  }
   setting.quick = wanted.quick;
 
   using Clock = std::chrono::steady_clock;
@@ -213,8 +225,13 @@ CommandSpec validateSpec(Request& request)
   };
   spec.options = { names, flag("--list", "name the cases and stop", group, validate.list),
     flag("--quick", "leave out what takes long: under one minute", group, validate.quick),
-    number("--perturb", "E", "make gravity wrong by this share, to check the checker: cases must fail", "0", group,
+    number("--perturb", "E", "make a formula wrong by this share, to check the checker: cases must fail", "0", group,
       validate.perturb, Perturbation),
+    choice("--perturb-in", "which: gravity in the dispersion relation, or the bed's slope or curvature", "gravity",
+      group, validate.perturbed,
+      std::vector<std::pair<std::string, ValidateRequest::Formula>>{
+        { "gravity", ValidateRequest::Formula::Dispersion }, { "slope", ValidateRequest::Formula::Bending },
+        { "curvature", ValidateRequest::Formula::Tube } }),
     text("--report", "DIR", "write index.html, a picture and the numbers of each case to this folder", "", "Output",
       validate.report) };
   spec.examples = "  swellray validate\n"

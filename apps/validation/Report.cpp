@@ -156,7 +156,7 @@ std::vector<ReportFile> makeReport(const std::vector<Finding>& findings, const R
       "<table><tr><th>case</th><th></th><th>checks</th><th>failed</th><th>verdict</th></tr>\n{}</table>\n{}</body></"
       "html>\n",
       Style, escapeXml(head.version), escapeXml(head.commandLine), verdict,
-      head.perturbed ? "<p class='FAIL'>Run with a gravity made wrong on purpose, to check the checker.</p>" : "", rows,
+      head.perturbed ? "<p class='FAIL'>Run with a formula made wrong on purpose, to check the checker.</p>" : "", rows,
       sections) });
   return files;
 }

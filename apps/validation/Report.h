@@ -18,7 +18,7 @@ struct ReportHead
 {
   std::string version;
   std::string commandLine;
-  bool perturbed = false; ///< run with a gravity made wrong on purpose
+  bool perturbed = false; ///< run with a formula made wrong on purpose
 };
 
 /** One file of the report. */

@@ -13,7 +13,7 @@ namespace
 
 constexpr double PanelWidth = 460.0;
 constexpr double PanelHeight = 330.0;
-constexpr double Left = 66.0;
+constexpr double Left = 72.0;
 constexpr double Right = 16.0;
 constexpr double Top = 34.0;
 constexpr double Bottom = 46.0;
@@ -102,6 +102,17 @@ std::vector<double> ticks(const Axis& axis)
   return values;
 }
 
+/** "0.05", "1e-4". */
+std::string tickText(double value)
+{
+  if (value == 0.0 || std::abs(value) > 9e-4)
+  {
+    return fmt::format("{:.6g}", value);
+  }
+  const double power = std::floor(std::log10(std::abs(value)) + 1e-9);
+  return fmt::format("{:.6g}e{:.0f}", value / std::pow(10.0, power), power);
+}
+
 // Metres to one scale: the axis with room to spare is widened.
 void equalize(Axis& x, Axis& y)
 {
@@ -163,21 +174,21 @@ std::string drawAxes(const Plot& plot, const Axis& x, const Axis& y)
   for (const double value : ticks(x))
   {
     text += fmt::format("<path d='M{0:.2f} {1:.2f}V{2:.2f}' stroke='#e4e4e4'/>"
-                        "<text x='{0:.2f}' y='{3:.2f}' text-anchor='middle'>{4:.6g}</text>\n",
-      x.at(value), y.from, y.to, y.from + 16.0, value);
+                        "<text x='{0:.2f}' y='{3:.2f}' text-anchor='middle'>{4}</text>\n",
+      x.at(value), y.from, y.to, y.from + 16.0, tickText(value));
   }
   for (const double value : ticks(y))
   {
     text += fmt::format("<path d='M{0:.2f} {1:.2f}H{2:.2f}' stroke='#e4e4e4'/>"
-                        "<text x='{3:.2f}' y='{4:.2f}' text-anchor='end'>{5:.6g}</text>\n",
-      x.from, y.at(value), x.to, x.from - 6.0, y.at(value) + 4.0, value);
+                        "<text x='{3:.2f}' y='{4:.2f}' text-anchor='end'>{5}</text>\n",
+      x.from, y.at(value), x.to, x.from - 6.0, y.at(value) + 4.0, tickText(value));
   }
   text += fmt::format("<rect x='{:.2f}' y='{:.2f}' width='{:.2f}' height='{:.2f}' fill='none' stroke='#888'/>\n",
     x.from, y.to, x.to - x.from, y.from - y.to);
   text += fmt::format("<text x='{:.2f}' y='{:.2f}' text-anchor='middle'>{}</text>\n", 0.5 * (x.from + x.to),
     y.from + 36.0, escapeXml(plot.xLabel));
   text += fmt::format("<text transform='translate({:.2f} {:.2f}) rotate(-90)' text-anchor='middle'>{}</text>\n",
-    x.from - 52.0, 0.5 * (y.from + y.to), escapeXml(plot.yLabel));
+    x.from - 58.0, 0.5 * (y.from + y.to), escapeXml(plot.yLabel));
   text += fmt::format(
     "<text x='{:.2f}' y='{:.2f}' font-weight='bold'>{}</text>\n", x.from, y.to - 12.0, escapeXml(plot.title));
   return text;
