@@ -28,6 +28,10 @@ void Console::say(const std::string& line) const
 
 void Console::warn(const std::string& line)
 {
+  if (!this->Warned.insert(line).second)
+  {
+    return;
+  }
   this->endProgress();
   std::fprintf(stderr, "swellray: warning: %s\n", line.c_str());
 }

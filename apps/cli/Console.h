@@ -1,5 +1,6 @@
 #pragma once
 
+#include <set>
 #include <string>
 
 namespace swellray::cli
@@ -14,7 +15,7 @@ public:
   /** A line of the summary; nothing with --quiet. */
   void say(const std::string& line) const;
 
-  /** A line that is said even with --quiet: the result is there, but there is something to know about it. */
+  /** A line that is said even with --quiet, once: the result is there, but there is something to know about it. */
   void warn(const std::string& line);
 
   /** Show the share done of a task, 0 to 1; nothing where stderr is no terminal or with --quiet. */
@@ -27,6 +28,7 @@ private:
   bool Quiet;
   bool Bar;
   std::string Shown;
+  std::set<std::string> Warned;
 };
 
 }

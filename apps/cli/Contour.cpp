@@ -2,6 +2,7 @@
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 
+#include "LineOutput.h"
 #include "Pipeline.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ void runContour(const Request& request, Console& console)
       depths.insert(array->GetComponent(i, 0));
     }
   }
-  writeLines(contours, file, request, console);
+  writeLines(contours, "contours", file, request, console);
   file.commit();
   if (depths.empty())
   {
@@ -40,22 +41,27 @@ void runContour(const Request& request, Console& console)
   }
   console.say(fmt::format("{} contour lines at {} depths, {:g} to {:g} m, {} points", contours->GetNumberOfCells(),
     depths.size(), *depths.begin(), *depths.rbegin(), contours->GetNumberOfPoints()));
-  console.say(fmt::format("wrote {} (open it in ParaView)", file.path()));
+  console.say(fmt::format("wrote {0}; open with: {1} {0}", file.path(), viewerOf(file.path())));
 }
 
 }
 
 CommandSpec contourSpec(Request& request)
 {
-  CommandSpec spec{ "contour", "draw depth contour lines into a .vtp file", true, {}, {} };
-  spec.options = { outputFile("-o,--output", "contour lines, .vtp", request.output.file, { ".vtp" }) };
+  CommandSpec spec{ "contour", "draw depth contour lines into a file", true, {}, {} };
+  spec.options = { outputFile(
+    "-o,--output", "contour lines, .vtp, .gpkg or .geojson", request.output.file, lineEndings()) };
   spec.options.back().required = true;
-  add(spec.options, { flag("--compress", "compress the file (smaller, slower)", "Output", request.output.compress) });
+  add(spec.options, lineOptions(request.output));
   add(spec.options, contourOptions(request.contour));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples = "  swellray contour harbour.tif --levels 5,10,20 -o contours.vtp\n"
-                  "  swellray contour harbour.tif --interval 2 --simplify 5 -o contours.vtp\n";
-  spec.check = [](Request& asked) { checkContours(asked.contour); };
+                  "  swellray contour harbour.tif --interval 2 --simplify 5 -o contours.gpkg\n";
+  spec.check = [](Request& asked)
+  {
+    checkContours(asked.contour);
+    checkLines(asked.output);
+  };
   spec.run = runContour;
   return spec;
 }

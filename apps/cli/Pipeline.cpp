@@ -11,7 +11,7 @@
 #include <vtkErrorCode.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
-#include <vtkXMLPolyDataWriter.h>
+#include <vtkXMLWriter.h>
 
 #include <filesystem>
 #include <fstream>
@@ -196,6 +196,11 @@ vtkPolyData* Pipeline::makeContours(double waterLevel)
   return this->Contours->GetOutput();
 }
 
+void Pipeline::setWaterLevel(double level)
+{
+  this->Tracer->SetWaterLevel(level);
+}
+
 vtkPolyData* Pipeline::traceRays()
 {
   runFilter(this->Tracer, "tracing", this->Screen);
@@ -242,7 +247,7 @@ std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
   for (const std::string& file : { request.seafloor.source, request.rays.current, request.rays.obstacles,
-         request.render.rays, request.render.crests, request.map.stations })
+         request.render.rays, request.render.crests, request.map.stations, request.map.waterLevels })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))
@@ -291,12 +296,6 @@ void writeXml(
   {
     file.fail(reason.empty() ? "the file is not complete" : reason);
   }
-}
-
-void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writeXml(writer, lines, file, request, console);
 }
 
 vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console)

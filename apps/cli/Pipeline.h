@@ -40,6 +40,9 @@ public:
 
   vtkPolyData* makeContours(double waterLevel);
 
+  /** Trace at this water level from now on, m. */
+  void setWaterLevel(double level);
+
   /** Trace, without heights. @throws WorkError */
   vtkPolyData* traceRays();
 
@@ -68,9 +71,6 @@ std::vector<std::string> inputFiles(const Request& request);
 /** Write data to the file's hidden name, with the command line and the version. @throws WorkError */
 void writeXml(
   vtkXMLWriter* writer, vtkDataObject* data, const OutputFile& file, const Request& request, Console& console);
-
-/** Write lines to the file's hidden name, with the command line and the version. @throws WorkError */
-void writeLines(vtkPolyData* lines, const OutputFile& file, const Request& request, Console& console);
 
 /** Read a .vtp file. @throws WorkError */
 vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console);

@@ -57,6 +57,13 @@ vtkSmartPointer<vtkImageData> mapOfRays(
   return filter->GetOutput();
 }
 
+const std::vector<std::string>& stationColumns()
+{
+  static const std::vector<std::string> columns{ "Elevation", "Depth", "WaveHeight", "DirectionFrom", "Wavelength",
+    "Breaking", "LeeRay", "RayCount" };
+  return columns;
+}
+
 vtkSmartPointer<vtkPolyData> wavesAt(
   vtkPolyData* places, vtkPolyData* rays, vtkImageData* seafloor, const Request& request, Console& console)
 {

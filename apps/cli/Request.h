@@ -49,7 +49,8 @@ struct MapRequest
 {
   std::optional<double> spacing; ///< of the nodes, m; none: those of the seafloor
   CombineRule combine = CombineRule::Energy;
-  std::string stations; ///< file of points; empty: none
+  std::string stations;    ///< file of points; empty: none
+  std::string waterLevels; ///< file of a series of water levels; empty: none
 };
 
 /** In place of a file of crest lines: make them from the rays that are drawn. */
@@ -90,6 +91,7 @@ struct OutputRequest
   std::string map;
   std::string table; ///< waves at the stations
   bool compress = false;
+  bool points = false; ///< in a .gpkg the points of lines too
 };
 
 /** One call of the program, checked. */

@@ -32,6 +32,15 @@ public:
   /** The points in the plane of a scene, m. @throws WorkError naming the line of one that lies nowhere */
   vtkSmartPointer<vtkPolyData> places(const Georeference& scene) const;
 
+  std::size_t size() const { return this->Stations.size(); }
+
+  /** Heading of a table with these columns after the points' own. */
+  std::string heading(const std::vector<std::string>& columns) const;
+
+  /** The rows of such a table, as write() has them, and how many of them have no wave. */
+  std::vector<std::string> rows(
+    vtkPointData* values, const std::vector<std::string>& columns, const std::string& wave, std::size_t& without) const;
+
   /**
    * Write the points, each with its values, to the file's hidden name. A value that is not finite is an empty field; so
    * are the flags (bytes) of a point that has no wave. How many points have none is said.

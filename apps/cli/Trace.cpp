@@ -4,10 +4,12 @@
 #include "OptionKinds.h"
 
 #include "FieldValues.h"
+#include "LineOutput.h"
 #include "MapOutput.h"
 #include "Pipeline.h"
 #include "RayValues.h"
 #include "StationTable.h"
+#include "WaterLevelSeries.h"
 
 #include "sim/RayField.h"
 
@@ -23,6 +25,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 namespace swellray::cli
@@ -189,6 +192,19 @@ void checkTrace(Request& request)
   {
     throw UsageError("--breaker-line needs waves that break; leave out --breaking none");
   }
+  checkLines(output);
+  if (!request.map.waterLevels.empty())
+  {
+    if (output.table.empty() || !output.file.empty() || !output.crests.empty() || !output.breakerLine.empty() ||
+      !output.map.empty())
+    {
+      throw UsageError("--water-levels makes a table of a series: give --stations and --table, and no other output");
+    }
+    if (request.seafloor.options.waterLevel != 0.0)
+    {
+      throw UsageError("--water-levels stands in place of --water-level; leave out one of the two");
+    }
+  }
   if (request.map.spacing && output.map.empty())
   {
     throw UsageError("--map-spacing needs --map FILE");
@@ -197,6 +213,11 @@ void checkTrace(Request& request)
 
 void runTrace(const Request& request, Console& console)
 {
+  if (!request.map.waterLevels.empty())
+  {
+    traceWaterLevels(request, console);
+    return;
+  }
   // Every file is opened, and the stations are read, before the work that they wait for.
   const std::vector<std::string> inputs = inputFiles(request);
   std::vector<std::unique_ptr<OutputFile>> files;
@@ -225,17 +246,17 @@ void runTrace(const Request& request, Console& console)
   const Stopwatch writing;
   if (raysFile)
   {
-    writeLines(rays, *raysFile, request, console);
+    writeLines(rays, "rays", *raysFile, request, console);
   }
   if (crestsFile)
   {
-    writeLines(pipeline.makeCrests(), *crestsFile, request, console);
+    writeLines(pipeline.makeCrests(), "crests", *crestsFile, request, console);
   }
   if (breakerFile)
   {
     vtkPolyData* lines = pipeline.makeBreakerLines();
     sayBreakers(lines, console);
-    writeLines(lines, *breakerFile, request, console);
+    writeLines(lines, "breakers", *breakerFile, request, console);
   }
   if (mapFile)
   {
@@ -245,9 +266,7 @@ void runTrace(const Request& request, Console& console)
   {
     const auto places = stations->places(georeferenceOf(seafloor));
     const auto waves = wavesAt(places, rays, seafloor, request, console);
-    stations->write(waves->GetPointData(),
-      { "Elevation", "Depth", "WaveHeight", "DirectionFrom", "Wavelength", "Breaking", "LeeRay", "RayCount" },
-      "WaveHeight", *tableFile, console);
+    stations->write(waves->GetPointData(), stationColumns(), "WaveHeight", *tableFile, console);
   }
   for (const auto& file : files)
   {
@@ -259,13 +278,21 @@ void runTrace(const Request& request, Console& console)
   console.say(fmt::format(
     "time     {:.2f} s to read, {:.2f} s to trace, {:.2f} s to write", readSeconds, traceSeconds, writing.seconds()));
   std::string written;
-  std::string names;
+  std::map<std::string, std::string> viewers;
   for (const auto& file : files)
   {
     written += (written.empty() ? "" : " and ") + file->path();
-    names += file.get() == tableFile ? "" : " " + file->path();
+    if (file.get() != tableFile)
+    {
+      viewers[viewerOf(file->path())] += " " + file->path();
+    }
   }
-  console.say(fmt::format("wrote    {}{}", written, names.empty() ? "" : "; open with: paraview" + names));
+  std::string viewing;
+  for (const auto& [viewer, names] : viewers)
+  {
+    viewing += (viewing.empty() ? "; open with: " : ", ") + viewer + names;
+  }
+  console.say(fmt::format("wrote    {}{}", written, viewing));
 }
 
 }
@@ -273,22 +300,28 @@ void runTrace(const Request& request, Console& console)
 CommandSpec traceSpec(Request& request)
 {
   CommandSpec spec{ "trace", "trace wave rays over a seafloor: states, directions, heights", true, {}, {} };
-  spec.options = { outputFile("-o,--output", "rays, .vtp", request.output.file, { ".vtp" }),
-    outputFile("--crests", "crest lines, .vtp", request.output.crests, { ".vtp" }),
-    outputFile("--breaker-line", "lines where waves begin to break, .vtp", request.output.breakerLine, { ".vtp" }),
+  spec.options = { outputFile("-o,--output", "rays, .vtp, .gpkg or .geojson", request.output.file, lineEndings()),
+    outputFile("--crests", "crest lines, .vtp, .gpkg or .geojson", request.output.crests, lineEndings()),
+    outputFile("--breaker-line", "lines where waves begin to break, .vtp, .gpkg or .geojson",
+      request.output.breakerLine, lineEndings()),
     outputFile("--map", "wave heights and directions on a grid, .vti, .nc or .tif", request.output.map,
       { ".vti", ".nc", ".tif" }),
     text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
     outputFile("--table", "waves at the stations, .csv", request.output.table, { ".csv" }),
-    flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
+    text("--water-levels", "FILE", "series time,level (.csv): a row of the table a station and time", "", "Output",
+      request.map.waterLevels) };
+  add(spec.options, lineOptions(request.output));
   add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, mapOptions(request.map));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples =
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp --crests crests.vtp\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.gpkg --breaker-line breakers.geojson\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --map heights.nc --map-spacing 25\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --table waves.csv\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --stations buoys.csv --water-levels tide.csv "
+    "--table waves.csv\n"
     "  swellray trace shoal --period 10 --direction 270 --height 1 --current eddy:U0=1.5,R=400 -o rays.vtp\n"
     "  swellray trace harbour.tif --period 12 --direction 20 --height 2 --obstacles breakwater.geojson --reflection "
     "0.5 "
