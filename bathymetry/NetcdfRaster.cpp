@@ -48,6 +48,18 @@ bool isDegrees(const std::string& units)
   return plain(units).compare(0, 6, "degree") == 0;
 }
 
+// Longitudes that jump by a turn, as from 180 to -180, count on instead.
+void countOn(std::vector<double>& longitudes)
+{
+  double turn = 0.0;
+  for (std::size_t i = 1; i < longitudes.size(); ++i)
+  {
+    const double jump = longitudes[i] + turn - longitudes[i - 1];
+    turn -= std::abs(jump) > 180.0 ? std::copysign(360.0, jump) : 0.0;
+    longitudes[i] += turn;
+  }
+}
+
 // CF 1.8, sections 4.1, 4.2 and 4.4, then the usual names.
 char axisLetter(const GDALMDArray& coordinate)
 {
@@ -274,6 +286,10 @@ NetcdfRaster::Axis NetcdfRaster::readAxis(const GDALMDArray& coordinate) const
   {
     throw std::runtime_error(
       "axis '" + coordinate.GetName() + "' cannot be read: " + QuietGdal::lastError("no reason given"));
+  }
+  if (isDegrees(axis.units))
+  {
+    countOn(values);
   }
   axis.first = values.front();
   axis.step = (values.back() - values.front()) / static_cast<double>(axis.count - 1);

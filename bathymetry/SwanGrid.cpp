@@ -5,6 +5,7 @@
 #include "bathymetry/TextFile.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -46,7 +47,7 @@ std::vector<Command> commandsOf(const std::string& text)
           remark = !remark;
           ++i;
         }
-        else if (remark || c == ' ' || c == '\t' || c == ',')
+        else if (remark || c == ',' || std::isspace(static_cast<unsigned char>(c)) != 0)
         {
           ++i;
         }
@@ -62,7 +63,7 @@ std::vector<Command> commandsOf(const std::string& text)
         }
         else
         {
-          const std::size_t end = std::min(line.find_first_of(" \t,'\"$!", i), line.size());
+          const std::size_t end = std::min(line.find_first_of(" \t\r\f\v,'\"$!", i), line.size());
           words.push_back({ plain(std::string(line.substr(i, end - i))), false });
           i = end;
         }

@@ -19,6 +19,9 @@ namespace
 // Longest word that can be a number: more digits than a double has.
 constexpr std::size_t LongestNumber = 400;
 
+// A few bytes must not stand for more memory than the machine has.
+constexpr std::size_t MostRepeats = 10000000;
+
 bool isSeparator(char c)
 {
   return c == ' ' || c == '\t' || c == ',' || c == '\r' || c == '\f' || c == '\v';
@@ -169,6 +172,11 @@ bool NumberScanner::next(double& value)
     if (error != std::errc() || end != found.data() + star || count == 0)
     {
       throw std::runtime_error("line " + std::to_string(this->Line) + ": '" + shown(whole) + "' is no number");
+    }
+    if (count > MostRepeats)
+    {
+      throw std::runtime_error(
+        "line " + std::to_string(this->Line) + " repeats a number " + std::to_string(count) + " times, too often");
     }
     found.remove_prefix(star + 1);
   }

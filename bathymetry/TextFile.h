@@ -21,7 +21,7 @@ std::string readTextFile(const std::string& path);
 
 /**
  * Numbers of a text as Fortran writes and reads them: separated by blanks, commas and line ends, with exponents E or D
- * and repeats such as 3*0.5.
+ * and repeats such as 3*0.5, at most 10 million times.
  */
 class NumberScanner
 {

@@ -27,6 +27,11 @@ if(SWELLRAY_SANITIZE)
   add_link_options("-fsanitize=${SWELLRAY_SANITIZE}")
 endif()
 
+# The fuzzer sees which branches an input takes.
+if(SWELLRAY_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)
+endif()
+
 # Warnings for our own targets, without the generated wrapping code.
 function(swellray_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor)

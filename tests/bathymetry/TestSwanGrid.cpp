@@ -163,8 +163,8 @@ TEST(SwanGrid, WhatCannotBeReadSaysWhy)
     { Regular + "READINP BOTTOM 1. 'a.bot' 3 -2 FREE\n", "[nhedf] must be 0 or more" },
     { Regular + "READINP BOTTOM 0. 'a.bot' 3 0 FREE\n", "[fac] must not be 0" },
     { Regular + "READINP BOTTOM 1. a.bot 3 0 FREE\n", "names no file in quotes" },
-    { Regular + "READINP BOTTOM 1. 'b.bot' 3 0 FREE\n", "'b.bot' is missing" },
-    { "&\n&\n_\n", "no commands INPGRID" },
+    { Regular + "READINP BOTTOM 1. 'b.bot' 3 0 FREE\n", "'b.bot' is missing" }, { "&\n&\n_\n", "no commands INPGRID" },
+    { "CGRID\f\n\f\n\v \r\n'' \"\n", "no commands INPGRID" }, // found by fuzzing, 2026-11-22
   };
   for (const auto& [commands, message] : cases)
   {
