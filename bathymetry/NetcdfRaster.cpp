@@ -1,5 +1,6 @@
 #include "bathymetry/NetcdfRaster.h"
 
+#include "bathymetry/FileGrid.h"
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/Wkt.h"
@@ -274,6 +275,11 @@ NetcdfRaster::Axis NetcdfRaster::readAxis(const GDALMDArray& coordinate) const
   if (axis.units.empty())
   {
     axis.units = attribute(coordinate, "units");
+  }
+  if (axis.count > MostNodes)
+  {
+    throw std::runtime_error("axis '" + coordinate.GetName() + "' has " + std::to_string(axis.count) +
+      " values, above the limit of " + std::to_string(MostNodes / 1000000) + " million");
   }
   std::vector<double> values(axis.count);
   const GUInt64 start = 0;
