@@ -36,7 +36,12 @@ double vortexRatio(double slope)
 {
   constexpr double Steepest = 1.0 / 8.0;
   constexpr double Flattest = 1.0 / 40.0;
-  return slope >= Flattest && slope <= Steepest ? 0.065 / slope + 0.821 : std::numeric_limits<double>::quiet_NaN();
+  return slope >= Flattest && slope <= Steepest ? vortexRatioLine(slope) : std::numeric_limits<double>::quiet_NaN();
+}
+
+double vortexRatioLine(double slope)
+{
+  return 0.065 / slope + 0.821;
 }
 
 }

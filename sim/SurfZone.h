@@ -57,4 +57,7 @@ double longshoreTransport(double longshoreFlux, double gravity);
  */
 double vortexRatio(double slope);
 
+/** The same line beyond the slopes that were measured; slope > 0. */
+double vortexRatioLine(double slope);
+
 }
