@@ -41,7 +41,7 @@ void copyOut(const std::vector<Value>& values, vtkFieldData* attributes, const c
 
 }
 
-RaySheetInput::RaySheetInput(vtkPolyData* rays)
+SheetArrays::SheetArrays(vtkPolyData* rays)
   : Offsets(rayOffsets(rays))
 {
   const auto hold = [this](const auto& array)
@@ -53,7 +53,7 @@ RaySheetInput::RaySheetInput(vtkPolyData* rays)
   const auto count = static_cast<vtkIdType>(this->Offsets.size() - 1);
   vtkPointData* ofPoints = rays->GetPointData();
   vtkCellData* ofRays = rays->GetCellData();
-  SheetRays arrays;
+  SheetRays& arrays = this->Rays;
   arrays.lines.rays = this->Offsets.size() - 1;
   arrays.lines.offsets = this->Offsets.data();
   if (points > 0)
@@ -81,18 +81,24 @@ RaySheetInput::RaySheetInput(vtkPolyData* rays)
   arrays.caustics = hold(requireIntegers(ofPoints, "Caustics", points));
   arrays.breaking = hold(requireBytes(ofPoints, "Breaking", points));
   arrays.state = hold(requireBytes(ofPoints, "RayState", points));
-  this->Sheets = std::make_unique<RaySheets>(arrays, fieldValue(rays, "MaxSpacing").value_or(0.0));
+}
+
+RaySheetInput::RaySheetInput(vtkPolyData* rays)
+  : Arrays(rays)
+  , Sheets(this->Arrays.rays(), fieldValue(rays, "MaxSpacing").value_or(0.0))
+{
 }
 
 std::vector<double> RaySheetInput::wetDepths(const std::vector<glm::dvec2>& places, const double* depths) const
 {
   std::vector<double> wet(depths, depths + places.size());
-  parallelFor(this->Walls ? places.size() : 0,
+  const Obstacles* walls = this->Arrays.obstacles();
+  parallelFor(walls ? places.size() : 0,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        wet[i] = this->Walls->inside(places[i]) ? 0.0 : wet[i];
+        wet[i] = walls->inside(places[i]) ? 0.0 : wet[i];
       }
     });
   return wet;

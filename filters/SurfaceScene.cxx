@@ -1,0 +1,101 @@
+#include "SurfaceScene.h"
+
+#include "AlgorithmExecution.h"
+#include "FieldData.h"
+#include "RayArrays.h"
+#include "RaySheetInput.h"
+#include "sim/Dispersion.h"
+#include "sim/WaveHeight.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+
+namespace swellray
+{
+
+namespace
+{
+
+template <typename Array, typename Value>
+vtkSmartPointer<vtkDataArray> makeArray(const char* name, const std::vector<Value>& values)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  return array;
+}
+
+}
+
+SurfaceScene::SurfaceScene(
+  vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed, vtkAlgorithm* algorithm)
+  : Bed(std::move(seafloor))
+{
+  const IncidentWave wave = tracedWave(rays);
+  this->Options.period = wave.period;
+  this->Options.wavelength = wavelengthOf(wave.wavenumber());
+  this->Options.waterLevel = fieldValue(rays, "WaterLevel").value_or(0.0);
+  this->Options.breakerIndex = fieldValue(rays, "BreakerIndex").value_or(StandardGamma);
+  this->Options.seed = static_cast<std::uint64_t>(seed);
+  {
+    const SheetArrays arrays(rays);
+    const vtkIdType points = rays->GetNumberOfPoints();
+    const auto rayDirection = requireDoubles(rays->GetPointData(), "RayDirection", points, 3);
+    const auto distance = requireDoubles(rays->GetPointData(), "BreakingDistance", points);
+    SurfaceRays input;
+    input.sheet = arrays.rays();
+    input.rayDirection = rayDirection->GetPointer(0);
+    input.breakingDistance = distance->GetPointer(0);
+    input.maxSpacing = fieldValue(rays, "MaxSpacing").value_or(0.0);
+    this->Sheet = std::make_unique<SurfaceSheet>(
+      input, *this->Bed, this->Options.waterLevel, pointsPerWave, makeExecution(algorithm, 0.0, 0.3));
+  }
+  const SurfaceSheet& sheet = *this->Sheet;
+  this->Surface = std::make_unique<WaveSurface>(sheet, *this->Bed, this->Options, makeExecution(algorithm, 0.3, 0.5));
+
+  const auto triangles = static_cast<vtkIdType>(sheet.Triangles.size());
+  vtkNew<vtkTypeInt64Array> offsets;
+  offsets->SetNumberOfValues(triangles + 1);
+  vtkNew<vtkTypeInt64Array> connectivity;
+  connectivity->SetNumberOfValues(3 * triangles);
+  for (vtkIdType i = 0; i <= triangles; ++i)
+  {
+    offsets->SetValue(i, 3 * i);
+  }
+  for (vtkIdType i = 0; i < 3 * triangles; ++i)
+  {
+    connectivity->SetValue(i, sheet.Triangles[static_cast<std::size_t>(i / 3)][static_cast<std::size_t>(i % 3)]);
+  }
+  this->Triangles = vtkSmartPointer<vtkCellArray>::New();
+  this->Triangles->SetData(offsets, connectivity);
+
+  std::vector<double> breakingPhase(sheet.pointCount());
+  std::vector<double> launchParameter(sheet.pointCount(), 0.0);
+  for (std::size_t i = 0; i < breakingPhase.size(); ++i)
+  {
+    breakingPhase[i] = this->Surface->breakingPhase(i);
+  }
+  for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
+  {
+    std::fill(launchParameter.begin() + sheet.Offsets[ray], launchParameter.begin() + sheet.Offsets[ray + 1],
+      sheet.LaunchParameter[ray]);
+  }
+  for (std::size_t i = 0; i < sheet.BeachBase.size(); ++i)
+  {
+    launchParameter[sheet.rayPointCount() + i] = launchParameter[static_cast<std::size_t>(sheet.BeachBase[i])];
+  }
+  this->Arrays = { makeArray<vtkDoubleArray>("RayPhase", sheet.Phase),
+    makeArray<vtkDoubleArray>("BreakingPhase", breakingPhase),
+    makeArray<vtkDoubleArray>("LaunchParameter", launchParameter),
+    makeArray<vtkDoubleArray>("WaveHeight", sheet.Height), makeArray<vtkUnsignedCharArray>("RayState", sheet.State) };
+}
+
+}

@@ -1,0 +1,56 @@
+#include "vtkSwellFoam.h"
+
+#include "AlgorithmExecution.h"
+#include "FieldData.h"
+#include "RayArrays.h"
+#include "sim/Foam.h"
+
+#include <vtkFloatArray.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+
+#include <exception>
+
+vtkStandardNewMacro(vtkSwellFoam);
+
+int vtkSwellFoam::RequestData(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  try
+  {
+    constexpr const char* owner = "vtkSwellSurface";
+    swellray::FoamOptions options;
+    options.life = this->Life;
+    options.period = swellray::requireFieldValue(input, "Period", owner);
+    options.variation = swellray::requireFieldValue(input, "SectionVariation", owner);
+    options.wavelength = swellray::requireFieldValue(input, "IncidentWavelength", owner);
+    options.seed = static_cast<std::uint64_t>(swellray::requireFieldValue(input, "Seed", owner));
+    const double time = swellray::requireFieldValue(input, "Time", owner);
+    const vtkIdType count = input->GetNumberOfPoints();
+    const auto phase = swellray::requireDoubles(input->GetPointData(), "RayPhase", count);
+    const auto breaking = swellray::requireDoubles(input->GetPointData(), "BreakingPhase", count);
+    const auto parameter = swellray::requireDoubles(input->GetPointData(), "LaunchParameter", count);
+
+    output->ShallowCopy(input);
+    float* foam = swellray::addArray<vtkFloatArray>(output->GetPointData(), "Foam", count);
+    swellray::computeFoam(
+      { static_cast<std::size_t>(count), phase->GetPointer(0), breaking->GetPointer(0), parameter->GetPointer(0) },
+      time, options, foam, swellray::makeExecution(this));
+    output->GetPointData()->SetActiveScalars("Foam");
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkSwellFoam::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Life: " << this->Life << "\n";
+}

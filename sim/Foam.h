@@ -1,0 +1,44 @@
+#pragma once
+
+#include "sim/Execution.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace swellray
+{
+
+/** What foam is made by and how long it stays. */
+struct FoamOptions
+{
+  double period = 10.0;    ///< T of the waves, s, > 0
+  double life = 8.0;       ///< s until foam is gone, > 0
+  double variation = 0.0;  ///< as WaveSection::variation, wavelengths
+  double wavelength = 1.0; ///< as SurfaceOptions::wavelength, m
+  std::uint64_t seed = 1;  ///< as SurfaceOptions::seed
+
+  /** @throws std::invalid_argument naming what is out of range */
+  void validate() const;
+};
+
+/** Places with waves: plain arrays, an entry a place. */
+struct FoamPlaces
+{
+  std::size_t count = 0;
+  const double* phase = nullptr;           ///< S of the traced wave, rad
+  const double* breakingPhase = nullptr;   ///< S where its breaking began; NaN where it is not broken
+  const double* launchParameter = nullptr; ///< m; null allowed where the variation is 0
+};
+
+/**
+ * Foam left by waves that broke where they passed (Jeschke et al. 2003, section 3.1). Wave n passes a place of phase S at
+ * the time t_n = (S - 2 pi n)/omega, and is broken there where S has reached its breaking, which the trace gives, and
+ * the wave's own delay. Of every such wave there is 1 - (t - t_n)/life, down to 0; the place has the largest.
+ * @param time t, s
+ * @param foam one entry a place, 0 to 1
+ * @throws std::invalid_argument on bad options
+ */
+void computeFoam(
+  const FoamPlaces& places, double time, const FoamOptions& options, float* foam, const Execution& execution = {});
+
+}

@@ -1,0 +1,276 @@
+#include "sim/WaveSurface.h"
+
+#include "sim/Angles.h"
+#include "sim/RayField.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+// Points that are displaced at once.
+constexpr std::size_t RunSize = 64;
+
+// The bed is looked up under points in less water than this many heights; in deeper water its slope does.
+constexpr double ShallowDepths = 3.0;
+
+// What lies on the bed is so thin that it is not seen but drawn above it, m.
+constexpr double Film = 0.01;
+
+constexpr auto Aground = static_cast<std::uint8_t>(RayState::Aground);
+
+}
+
+void SurfaceOptions::validate() const
+{
+  const auto require = [](const char* name, double value, bool good)
+  {
+    if (!good)
+    {
+      std::ostringstream message;
+      message << "surface: " << name << " must be above 0 and finite, not " << value;
+      throw std::invalid_argument(message.str());
+    }
+  };
+  for (const auto& [name, value] : { std::pair<const char*, double>{ "the period", this->period },
+         { "the wavelength", this->wavelength }, { "the breaker index", this->breakerIndex } })
+  {
+    require(name, value, value > 0.0 && std::isfinite(value));
+  }
+}
+
+/** Neighbouring points of a ray that belong to one wave, and where they go. */
+struct WaveSurface::Run
+{
+  std::size_t first = 0;
+  std::size_t count = 0;
+  double omega = 0.0;
+  bool broken = false;
+  std::array<double, RunSize> phase;
+  std::array<double, RunSize> along;
+  std::array<double, RunSize> up;
+  std::array<double, RunSize> alongRate;
+  std::array<double, RunSize> upRate;
+};
+
+WaveSurface::WaveSurface(
+  const SurfaceSheet& sheet, const Seafloor& seafloor, const SurfaceOptions& options, const Execution& execution)
+  : Sheet(sheet)
+  , Bed(seafloor)
+  , Options(options)
+  , Histories(sheet.rayCount())
+  , Ripeness(sheet.rayPointCount())
+{
+  options.validate();
+  execution.forRange(sheet.rayCount(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t ray = begin; ray < end; ++ray)
+      {
+        const std::int64_t first = sheet.Offsets[ray];
+        HistoryRay arrays;
+        arrays.count = static_cast<std::size_t>(sheet.Offsets[ray + 1] - first);
+        arrays.phase = sheet.Phase.data() + first;
+        arrays.height = sheet.Height.data() + first;
+        arrays.wavenumber = sheet.Wavenumber.data() + first;
+        arrays.depth = sheet.Depth.data() + first;
+        arrays.slope = sheet.Slope.data() + first;
+        arrays.breakingDistance = sheet.BreakingDistance.data() + first;
+        arrays.breaking = sheet.Breaking.data() + first;
+        this->Histories[ray] = SurfHistory(arrays, options.breakerIndex);
+        for (std::size_t i = 0; i < arrays.count; ++i)
+        {
+          this->Ripeness[static_cast<std::size_t>(first) + i] =
+            this->Histories[ray].ripeness(arrays.height[i], arrays.depth[i], arrays.phase[i]);
+        }
+      }
+    });
+}
+
+double WaveSurface::breakingPhase(std::size_t point) const
+{
+  if (!this->Sheet.Breaking[point])
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  if (point >= this->Sheet.rayPointCount())
+  {
+    return this->breakingPhase(static_cast<std::size_t>(this->Sheet.BeachBase[point - this->Sheet.rayPointCount()]));
+  }
+  const auto after =
+    std::upper_bound(this->Sheet.Offsets.begin(), this->Sheet.Offsets.end(), static_cast<std::int64_t>(point));
+  const auto ray = static_cast<std::size_t>(after - this->Sheet.Offsets.begin()) - 1;
+  const double phase = this->Sheet.Phase[point];
+  const BreakingStretch* stretch = this->Histories[ray].stretchAt(phase);
+  return stretch ? stretch->begin : phase;
+}
+
+CrestState WaveSurface::crestOf(std::size_t ray, double phase, double delay) const
+{
+  // Before an inserted ray began its waves were those of the ray beside it.
+  while (this->Sheet.Parent[ray] >= 0 && phase < this->Histories[ray].firstPhase())
+  {
+    ray = static_cast<std::size_t>(this->Sheet.Parent[ray]);
+  }
+  return this->Histories[ray].crest(phase, delay);
+}
+
+void WaveSurface::displace(
+  double time, const WaveSection& section, const SurfaceArrays& arrays, const Execution& execution) const
+{
+  execution.forRange(this->Sheet.rayCount(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t ray = begin; ray < end; ++ray)
+      {
+        this->displaceRay(ray, time, section, arrays);
+      }
+    });
+  // What lies on the beach stays there.
+  const double omega = 2.0 * Pi / this->Options.period;
+  Run still;
+  still.omega = omega;
+  still.count = 1;
+  still.along[0] = still.alongRate[0] = still.upRate[0] = 0.0;
+  for (std::size_t i = this->Sheet.rayPointCount(); i < this->Sheet.pointCount(); ++i)
+  {
+    still.first = i;
+    still.up[0] = this->Sheet.Position[3 * i + 2] - this->Options.waterLevel;
+    still.broken = this->Sheet.Breaking[i] != 0;
+    this->place(still, arrays);
+    if (arrays.phase)
+    {
+      arrays.phase[i] = this->Sheet.Phase[i] - omega * time;
+    }
+  }
+}
+
+void WaveSurface::displaceRay(
+  std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const
+{
+  const SurfaceSheet& sheet = this->Sheet;
+  const double omega = 2.0 * Pi / this->Options.period;
+  const double passed = omega * time;
+  const auto last = static_cast<std::size_t>(sheet.Offsets[ray + 1]);
+  const double largestDelay = 2.0 * Pi * section.variation();
+  Run run;
+  run.omega = omega;
+  for (run.first = static_cast<std::size_t>(sheet.Offsets[ray]); run.first < last; run.first += run.count)
+  {
+    const double wave = std::round((sheet.Phase[run.first] - passed) / (2.0 * Pi));
+    const double crestPhase = passed + 2.0 * Pi * wave;
+    const double lowest = crestPhase - Pi;
+    const bool shore = sheet.State[run.first] == Aground;
+    run.count = 0;
+    while (run.count < RunSize && run.first + run.count < last)
+    {
+      const std::size_t i = run.first + run.count;
+      if (run.count > 0 && (sheet.Phase[i] > lowest + 2.0 * Pi || (sheet.State[i] == Aground) != shore))
+      {
+        break;
+      }
+      run.phase[run.count++] = std::clamp(sheet.Phase[i] - crestPhase, -Pi, Pi);
+    }
+    if (arrays.phase)
+    {
+      for (std::size_t i = 0; i < run.count; ++i)
+      {
+        arrays.phase[run.first + i] = sheet.Phase[run.first + i] - passed;
+      }
+    }
+    if (shore)
+    {
+      for (std::size_t i = 0; i < run.count; ++i)
+      {
+        const double half = 0.5 * sheet.Height[run.first + i];
+        run.along[i] = run.alongRate[i] = 0.0;
+        run.up[i] = half * std::cos(run.phase[i]);
+        run.upRate[i] = -half * std::sin(run.phase[i]);
+      }
+      run.broken = true;
+    }
+    else
+    {
+      const double delay = largestDelay > 0.0 ? largestDelay *
+          breakingDelay(
+            this->Options.seed, static_cast<std::int64_t>(wave), sheet.LaunchParameter[ray], this->Options.wavelength)
+                                              : 0.0;
+      const CrestState crest = this->crestOf(ray, crestPhase, delay);
+      run.broken = crest.plunge > 0.0;
+      section.displace(crest,
+        { run.count, run.phase.data(), sheet.Height.data() + run.first, sheet.Wavenumber.data() + run.first,
+          sheet.Depth.data() + run.first, sheet.Slope.data() + run.first, this->Ripeness.data() + run.first },
+        { run.along.data(), run.up.data(), run.alongRate.data(), run.upRate.data() });
+    }
+    this->place(run, arrays);
+  }
+}
+
+void WaveSurface::place(const Run& run, const SurfaceArrays& arrays) const
+{
+  const SurfaceSheet& sheet = this->Sheet;
+  for (std::size_t j = 0; j < run.count; ++j)
+  {
+    const std::size_t i = run.first + j;
+    const glm::dvec2 direction(sheet.Direction[3 * i], sheet.Direction[3 * i + 1]);
+    const glm::dvec2 at = glm::dvec2(sheet.Position[3 * i], sheet.Position[3 * i + 1]) + run.along[j] * direction;
+    double depth = sheet.Depth[i] - sheet.Slope[i] * run.along[j];
+    if (depth < ShallowDepths * sheet.Height[i])
+    {
+      depth = this->Options.waterLevel - this->Bed.elevation(at);
+    }
+    const double k = sheet.Wavenumber[i];
+    double up = run.up[j];
+    glm::dvec3 normal(-k * run.upRate[j] * direction, 1.0 + k * run.alongRate[j]);
+    glm::dvec3 velocity(-run.omega * run.alongRate[j] * direction, -run.omega * run.upRate[j]);
+    if (up < Film - depth)
+    {
+      up = Film - depth;
+      normal = { sheet.Slope[i] * -direction, 1.0 };
+      velocity = glm::dvec3(0.0);
+    }
+    if (arrays.position)
+    {
+      arrays.position[3 * i] = at.x;
+      arrays.position[3 * i + 1] = at.y;
+      arrays.position[3 * i + 2] = this->Options.waterLevel + up;
+    }
+    if (arrays.normal)
+    {
+      const double size = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
+      for (int c = 0; c < 3; ++c)
+      {
+        arrays.normal[3 * i + static_cast<std::size_t>(c)] =
+          static_cast<float>(size > 0.0 ? normal[c] / size : (c == 2 ? 1.0 : 0.0));
+      }
+    }
+    if (arrays.velocity)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        arrays.velocity[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(velocity[c]);
+      }
+    }
+    if (arrays.depth)
+    {
+      arrays.depth[i] = depth;
+    }
+    if (arrays.breaking)
+    {
+      arrays.breaking[i] = run.broken ? 1 : 0;
+    }
+  }
+}
+
+}

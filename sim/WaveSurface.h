@@ -1,0 +1,81 @@
+#pragma once
+
+#include "sim/Execution.h"
+#include "sim/SurfHistory.h"
+#include "sim/SurfaceSheet.h"
+#include "sim/sections/WaveSection.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace swellray
+{
+
+/** What a surface is made of besides its rays. */
+struct SurfaceOptions
+{
+  double period = 10.0;       ///< T, s
+  double wavelength = 100.0;  ///< of the incident wave, m: scale of the variation along crests
+  double waterLevel = 0.0;    ///< m, positive up
+  double breakerIndex = 0.78; ///< H/h at which waves break
+  std::uint64_t seed = 1;     ///< of what varies from wave to wave
+
+  /** @throws std::invalid_argument naming what is out of range */
+  void validate() const;
+};
+
+/**
+ * Where the surface is: plain arrays in the order of the sheet's points, with `components` entries a point where said. A
+ * null pointer: not wanted.
+ */
+struct SurfaceArrays
+{
+  double* position = nullptr;       ///< 3 components, m
+  float* normal = nullptr;          ///< 3 components, unit vector, up where the surface does not overhang
+  float* velocity = nullptr;        ///< 3 components, of the particles, m/s
+  double* depth = nullptr;          ///< of the bed below still water under the displaced point, m; negative on a beach
+  double* phase = nullptr;          ///< Phi = S - omega t, rad; crests are at 2 pi n
+  std::uint8_t* breaking = nullptr; ///< 1 where the wave that is there is broken
+};
+
+/**
+ * The breaking-wave surface: a sheet of rays moved by a vertical section, at any time by itself.
+ *
+ * A point of phase S belongs at time t to the wave n whose crest, at S = omega t + 2 pi n on the same ray, is within pi
+ * of it. Its section gets the point's height, depth and slope, and the state of that crest (SurfHistory), so that a
+ * wave breaks as a whole. Each breaks later than the trace says by up to the section's variation.
+ *
+ * With the ray's direction d the point x goes to x + along d + up z; the normal is that of the tangents along the ray,
+ * (1 + k along') d + k up' z, and along the crest, which is taken as straight; the velocity is -omega (along' d + up' z).
+ * Points of the shore move up and down only. Nothing goes below the bed: what would, lies on it.
+ */
+class WaveSurface
+{
+public:
+  /** The sheet and the seafloor must outlive this. @throws std::invalid_argument on bad options */
+  WaveSurface(const SurfaceSheet& sheet, const Seafloor& seafloor, const SurfaceOptions& options,
+    const Execution& execution = {});
+
+  /** The surface at a time, s. The same for any loop in `execution`. */
+  void displace(
+    double time, const WaveSection& section, const SurfaceArrays& arrays, const Execution& execution = {}) const;
+
+  /** Phase S at which the breaking that a point of the sheet lies in began; NaN where waves are not broken. */
+  double breakingPhase(std::size_t point) const;
+
+private:
+  struct Run;
+
+  void displaceRay(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
+  CrestState crestOf(std::size_t ray, double phase, double delay) const;
+  void place(const Run& run, const SurfaceArrays& arrays) const;
+
+  const SurfaceSheet& Sheet;
+  const Seafloor& Bed;
+  SurfaceOptions Options;
+  std::vector<SurfHistory> Histories; // one a ray
+  std::vector<double> Ripeness;       // one a point of a ray
+};
+
+}
