@@ -11,6 +11,14 @@
 namespace swellray
 {
 
+namespace
+{
+
+// Foam sets in over this phase.
+constexpr double OnsetPhase = 2.0 * Pi / 16.0;
+
+}
+
 void FoamOptions::validate() const
 {
   const auto require = [](const char* name, double value)
@@ -46,19 +54,24 @@ void computeFoam(
         {
           continue;
         }
-        // The latest wave leaves the most; earlier ones count where it broke later than here.
+        // Later waves leave more; earlier ones count where they broke sooner.
+        double most = 0.0;
         double wave = std::ceil((places.phase[i] - passed) / (2.0 * Pi));
         for (double age = passed + 2.0 * Pi * wave - places.phase[i]; age < life; age += 2.0 * Pi, wave += 1.0)
         {
-          if (broken >= largestDelay ||
-            broken >= largestDelay *
-                breakingDelay(
-                  options.seed, static_cast<std::int64_t>(wave), places.launchParameter[i], options.wavelength))
+          const double delay = broken >= largestDelay + OnsetPhase ? 0.0
+            : largestDelay > 0.0                                   ? largestDelay *
+              breakingDelay(
+                options.seed, static_cast<std::int64_t>(wave), places.launchParameter[i], options.wavelength)
+                                 : 0.0;
+          const double share = std::clamp((broken - delay) / OnsetPhase, 0.0, 1.0);
+          most = std::max(most, share * (1.0 - age / life));
+          if (share == 1.0)
           {
-            foam[i] = static_cast<float>(1.0 - age / life);
             break;
           }
         }
+        foam[i] = static_cast<float>(most);
       }
     });
 }

@@ -33,7 +33,8 @@ struct FoamPlaces
 /**
  * Foam left by waves that broke where they passed (Jeschke et al. 2003, section 3.1). Wave n passes a place of phase S at
  * the time t_n = (S - 2 pi n)/omega, and is broken there where S has reached its breaking, which the trace gives, and
- * the wave's own delay. Of every such wave there is 1 - (t - t_n)/life, down to 0; the place has the largest.
+ * the wave's own delay. Of every such wave there is 1 - (t - t_n)/life, down to 0, within a sixteenth of a wave from where
+ * its breaking began only its share of that; the place has the largest.
  * @param time t, s
  * @param foam one entry a place, 0 to 1
  * @throws std::invalid_argument on bad options

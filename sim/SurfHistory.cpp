@@ -54,7 +54,22 @@ SurfHistory::SurfHistory(const HistoryRay& ray, double breakerIndex)
     const double height = between(ray.height, begin);
     stretch.index = height / between(ray.depth, begin);
     stretch.plungePhase = plungeDistance(between(ray.slope, begin)) * height * between(ray.wavenumber, begin);
+    stretch.plungeHeight = between(ray.height, this->place(stretch.begin + stretch.plungePhase));
     this->Stretches.push_back(stretch);
+  }
+}
+
+void SurfHistory::continueFrom(const SurfHistory& parent)
+{
+  if (this->Ray.count == 0 || !this->Ray.breaking[0] || this->Stretches.empty())
+  {
+    return;
+  }
+  if (const BreakingStretch* before = parent.stretchAt(this->Ray.phase[0]))
+  {
+    const double end = this->Stretches.front().end;
+    this->Stretches.front() = *before;
+    this->Stretches.front().end = end;
   }
 }
 
@@ -125,7 +140,7 @@ CrestState SurfHistory::crest(double phase, double delay) const
   {
     crest.ripeness = 1.0;
     crest.plunge = std::max(0.0, (phase - stretch->begin - delay) / stretch->plungePhase);
-    crest.plungeHeight = between(this->Ray.height, this->place(stretch->begin + delay + stretch->plungePhase));
+    crest.plungeHeight = stretch->plungeHeight;
   }
   return crest;
 }

@@ -25,10 +25,11 @@ struct HistoryRay
 /** One stretch of a ray on which waves are broken. */
 struct BreakingStretch
 {
-  double begin = 0.0;       ///< phase S where the trace says that breaking begins
-  double end = 0.0;         ///< phase where the wave is whole again, or where the ray ends
-  double index = 0.78;      ///< H/h where it begins
-  double plungePhase = 0.0; ///< rad from there until a plunging crest has come down
+  double begin = 0.0;        ///< phase S where the trace says that breaking begins
+  double end = 0.0;          ///< phase where the wave is whole again, or where the ray ends
+  double index = 0.78;       ///< H/h where it begins
+  double plungePhase = 0.0;  ///< rad from there until a plunging crest has come down
+  double plungeHeight = 0.0; ///< H there, m
 };
 
 /** Way that a plunging crest travels from where it begins to break to where it comes down, over its height there:
@@ -49,6 +50,12 @@ public:
    * @param breakerIndex H/h at which waves would break that do not do so on this ray
    */
   SurfHistory(const HistoryRay& ray, double breakerIndex);
+
+  /**
+   * Go on from the ray beside which this one was inserted: where that is broken as this one begins, what happened there
+   * goes before.
+   */
+  void continueFrom(const SurfHistory& parent);
 
   /** In the order of their phase. */
   const std::vector<BreakingStretch>& stretches() const { return this->Stretches; }

@@ -181,7 +181,8 @@ void SurfaceSheet::fill(
         this->Depth[i] = std::max(SmallestDepth, waterLevel - bed.elevation);
         this->Slope[i] = glm::dot(bed.gradient, direction);
         const std::int64_t nearest = w > 0.5 ? b : a;
-        this->State[i] = sheet.state[nearest];
+        // On the way to where it runs aground a ray is on the water.
+        this->State[i] = sheet.state[w == 1.0 ? b : a];
         this->Caustics[i] = sheet.caustics[nearest];
         // Breaking begins between two points: from there on the way tells.
         const double way = sheet.breaking[b] ? rays.breakingDistance[b] - (1.0 - w) * span / sheet.wavenumber[b] : 0.0;
@@ -213,13 +214,18 @@ void SurfaceSheet::weave(double maxSpacing, const Obstacles* obstacles)
   this->Triangles = RaySheets(sheet, maxSpacing).triangles();
   for (Triangle& triangle : this->Triangles)
   {
-    const glm::dvec2 a = vectorAt(this->Position.data(), triangle[0]);
-    const glm::dvec2 ab = vectorAt(this->Position.data(), triangle[1]) - a;
-    const glm::dvec2 ac = vectorAt(this->Position.data(), triangle[2]) - a;
-    if (ab.x * ac.y - ab.y * ac.x < 0.0)
-    {
-      std::swap(triangle[1], triangle[2]);
-    }
+    this->turnUp(triangle);
+  }
+}
+
+void SurfaceSheet::turnUp(Triangle& triangle) const
+{
+  const glm::dvec2 a = vectorAt(this->Position.data(), triangle[0]);
+  const glm::dvec2 ab = vectorAt(this->Position.data(), triangle[1]) - a;
+  const glm::dvec2 ac = vectorAt(this->Position.data(), triangle[2]) - a;
+  if (ab.x * ac.y - ab.y * ac.x < 0.0)
+  {
+    std::swap(triangle[1], triangle[2]);
   }
 }
 
@@ -313,9 +319,11 @@ void SurfaceSheet::reachBeach(const Seafloor& seafloor, double waterLevel)
     const std::int64_t beachB = beach(b);
     if (beachA >= 0 && beachB >= 0)
     {
-      // The edge runs anticlockwise around its triangle, so the beach is to its right.
-      this->Triangles.push_back({ a, beachA, b });
-      this->Triangles.push_back({ b, beachA, beachB });
+      for (Triangle triangle : { Triangle{ a, beachA, b }, Triangle{ b, beachA, beachB } })
+      {
+        this->turnUp(triangle);
+        this->Triangles.push_back(triangle);
+      }
     }
   }
 }

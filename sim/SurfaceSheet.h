@@ -78,6 +78,7 @@ private:
   void layOut(const SurfaceRays& rays, double step, std::size_t maxPoints);
   void fill(const SurfaceRays& rays, const Seafloor& seafloor, double waterLevel, const Execution& execution);
   void weave(double maxSpacing, const Obstacles* obstacles);
+  void turnUp(Triangle& triangle) const;
   void reachBeach(const Seafloor& seafloor, double waterLevel);
 
   // Where a point lies on its ray: between which of the original points, and at which phase.

@@ -89,10 +89,25 @@ WaveSurface::WaveSurface(
         arrays.breakingDistance = sheet.BreakingDistance.data() + first;
         arrays.breaking = sheet.Breaking.data() + first;
         this->Histories[ray] = SurfHistory(arrays, options.breakerIndex);
-        for (std::size_t i = 0; i < arrays.count; ++i)
+      }
+    });
+  // Parents come before those inserted beside them.
+  for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
+  {
+    if (sheet.Parent[ray] >= 0)
+    {
+      this->Histories[ray].continueFrom(this->Histories[static_cast<std::size_t>(sheet.Parent[ray])]);
+    }
+  }
+  execution.forRange(sheet.rayCount(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t ray = begin; ray < end; ++ray)
+      {
+        for (auto i = static_cast<std::size_t>(sheet.Offsets[ray]);
+             i < static_cast<std::size_t>(sheet.Offsets[ray + 1]); ++i)
         {
-          this->Ripeness[static_cast<std::size_t>(first) + i] =
-            this->Histories[ray].ripeness(arrays.height[i], arrays.depth[i], arrays.phase[i]);
+          this->Ripeness[i] = this->Histories[ray].ripeness(sheet.Height[i], sheet.Depth[i], sheet.Phase[i]);
         }
       }
     });

@@ -11,6 +11,7 @@ namespace swellray::cli
 CommandSpec infoSpec(Request& request);
 CommandSpec contourSpec(Request& request);
 CommandSpec traceSpec(Request& request);
+CommandSpec surfaceSpec(Request& request);
 CommandSpec renderSpec(Request& request);
 CommandSpec validateSpec(Request& request);
 CommandSpec listSpec();

@@ -2,6 +2,7 @@
 
 #include "sim/BuiltinCurrent.h"
 #include "sim/BuiltinSeafloor.h"
+#include "sim/sections/WaveSection.h"
 
 #include <fmt/format.h>
 
@@ -65,14 +66,19 @@ void runList()
   {
     print(form);
   }
+  std::printf("\nVertical sections of waves: surface --profile NAME or NAME:key=value,...\n");
+  for (const FormDescription& form : waveSections())
+  {
+    print(form);
+  }
 }
 
 }
 
 CommandSpec listSpec()
 {
-  CommandSpec spec{ "list", "list the built-in seafloors and currents with their keys, units and defaults", false, {},
-    {} };
+  CommandSpec spec{ "list",
+    "list the built-in seafloors, currents and wave sections with their keys, units and defaults", false, {}, {} };
   spec.examples = "  swellray list\n";
   spec.run = [](const Request&, Console&) { runList(); };
   return spec;

@@ -7,7 +7,7 @@ namespace swellray::cli
 
 std::vector<CommandSpec> commandSpecs(Request& request)
 {
-  return { infoSpec(request), contourSpec(request), traceSpec(request), renderSpec(request), validateSpec(request),
+  return { infoSpec(request), contourSpec(request), traceSpec(request), surfaceSpec(request), renderSpec(request), validateSpec(request),
     listSpec() };
 }
 

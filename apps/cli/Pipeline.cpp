@@ -129,6 +129,13 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
   heights->SetMaxRefraction(options.maxRefraction);
 }
 
+void setUp(vtkSwellSurface* surface, const SurfaceRequest& options)
+{
+  surface->SetSection(options.profile);
+  surface->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
+  surface->SetSeed(options.seed);
+}
+
 // vtkXMLWriter does not notice every failed write, so look for the end of the file.
 bool isComplete(const std::string& path)
 {
@@ -154,6 +161,11 @@ Pipeline::Pipeline(const Request& request, Console& console)
   setUp(this->Reader, request.seafloor);
   setUp(this->Tracer, request.rays, request.seafloor.options.waterLevel);
   setUp(this->Heights, request.rays.height);
+  setUp(this->Surface, request.surface);
+  if (request.surface.foamLife)
+  {
+    this->Foam->SetLife(*request.surface.foamLife);
+  }
   for (const double level : request.contour.levels)
   {
     this->Contours->AddLevel(level);
@@ -241,6 +253,17 @@ vtkPolyData* Pipeline::makeBreakerLines()
   this->Breakers->SetMaxGap(GapOverMaxSpacing * maxSpacing);
   runFilter(this->Breakers, "breakers", this->Screen);
   return this->Breakers->GetOutput();
+}
+
+vtkPolyData* Pipeline::makeSurface(double time)
+{
+  this->Surface->SetInputConnection(0, this->Heights->GetOutputPort());
+  this->Surface->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Surface->SetTime(time);
+  runFilter(this->Surface, "surface", this->Screen);
+  this->Foam->SetInputConnection(this->Surface->GetOutputPort());
+  runFilter(this->Foam, "foam", this->Screen);
+  return this->Foam->GetOutput();
 }
 
 std::vector<std::string> inputFiles(const Request& request)

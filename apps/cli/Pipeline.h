@@ -9,8 +9,10 @@
 #include <vtkSwellBreakerLine.h>
 #include <vtkSwellContours.h>
 #include <vtkSwellCrests.h>
+#include <vtkSwellFoam.h>
 #include <vtkSwellRayTracer.h>
 #include <vtkSwellSeafloorReader.h>
+#include <vtkSwellSurface.h>
 #include <vtkSwellWaveHeight.h>
 
 #include <memory>
@@ -55,6 +57,9 @@ public:
   /** Lines where the waves of the rays that were traced begin to break. @throws WorkError */
   vtkPolyData* makeBreakerLines();
 
+  /** Breaking-wave surface with foam over the rays that were traced, at a time, s. @throws WorkError */
+  vtkPolyData* makeSurface(double time);
+
 private:
   Console& Screen;
   vtkNew<vtkSwellSeafloorReader> Reader;
@@ -63,6 +68,8 @@ private:
   vtkNew<vtkSwellWaveHeight> Heights;
   vtkNew<vtkSwellCrests> Crests;
   vtkNew<vtkSwellBreakerLine> Breakers;
+  vtkNew<vtkSwellSurface> Surface;
+  vtkNew<vtkSwellFoam> Foam;
 };
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */

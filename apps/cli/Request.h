@@ -82,6 +82,25 @@ struct ValidateRequest
   } perturbed = Formula::Dispersion;
 };
 
+/** Times from first to last, so many seconds apart. */
+struct TimeSeries
+{
+  double first = 0.0;
+  double last = 0.0;
+  double step = 1.0;
+};
+
+/** The breaking-wave surface and its times. */
+struct SurfaceRequest
+{
+  std::string profile = "gonzato-lesaec"; ///< vertical section, NAME:key=value,...
+  std::optional<double> time;             ///< s
+  std::optional<TimeSeries> times;        ///< frames of a series
+  std::optional<double> pointsPerWave;    ///< none: as many as the section asks for
+  std::optional<double> foamLife;         ///< s
+  int seed = 1;
+};
+
 /** Files to write; empty: not asked for. */
 struct OutputRequest
 {
@@ -102,6 +121,7 @@ struct Request
   RayRequest rays;
   MapRequest map;
   RenderRequest render;
+  SurfaceRequest surface;
   ValidateRequest validate;
   OutputRequest output;
   bool json = false;
