@@ -17,8 +17,9 @@ namespace swellray
  * both linear in the three parts -pi, -pi/3, 7 pi/8, pi of psi: behind a crest they set in at once, before it they fade
  * over a third of the wave. Where the bed falls its slope is taken as 0, so no wave breaks backwards.
  *
- * The paper has no values for St_max, Ks and Kd. Here St_max is so many times H, and crests a few times as far apart as real
- * swell's have to go that far to fall over; with the defaults a 9 s swell of 2 m plunges from 3 to 4 m of depth on.
+ * The paper has no values for St_max, Ks and Kd. Here they scale with the wave, St_max = stretch H, Ks = ks/H, Kd = kd/H, so
+ * that waves of any size begin to plunge at about the same H/h: with the defaults a 9 s swell of 2 m at 0.6, before it
+ * breaks at 0.78.
  */
 class GonzatoLeSaecSection : public PointwiseSection<GonzatoLeSaecSection>
 {
@@ -26,9 +27,9 @@ public:
   struct Parameters
   {
     OrbitFactors orbit;
-    double stretch = 9.0;           ///< St_max/H, >= 0
-    double stretchDepth = 0.18;     ///< Ks, 1/m, >= 0
-    double displacementDepth = 0.4; ///< Kd, 1/m, >= 0
+    double stretch = 10.0;          ///< St_max/H, >= 0
+    double stretchDepth = 0.5;      ///< Ks H, >= 0
+    double displacementDepth = 0.8; ///< Kd H, >= 0
   };
 
   explicit GonzatoLeSaecSection(const Parameters& parameters)
@@ -75,8 +76,13 @@ public:
     {
       psi.value -= 2.0 * Pi;
     }
+    if (!(place.height > 0.0))
+    {
+      return moved;
+    }
+    const double relativeDepth = place.depth / place.height;
     const double stretch =
-      this->Values.stretch * place.height * std::exp(-this->Values.stretchDepth * place.depth) / (Pi * Pi);
+      this->Values.stretch * place.height * std::exp(-this->Values.stretchDepth * relativeDepth) / (Pi * Pi);
     const Dual forward = stretch * (psi * psi);
     moved.along = moved.along + orbit.cosine * forward;
     moved.up = moved.up + orbit.sine * forward;
@@ -84,7 +90,7 @@ public:
     const Dual share = displacementShare(psi);
     const double beta = std::atan(std::max(0.0, place.slope));
     const SineCosine way = sineCosine(beta - (0.25 * Pi + beta) * share);
-    const Dual fall = place.height * std::exp(-this->Values.displacementDepth * place.depth) * share;
+    const Dual fall = place.height * std::exp(-this->Values.displacementDepth * relativeDepth) * share;
     moved.along = moved.along + fall * way.cosine;
     moved.up = moved.up + fall * way.sine;
     return moved;

@@ -52,9 +52,9 @@ std::vector<FormDescription> describeSections()
   const GonzatoLeSaecSection::Parameters gonzato;
   gonzatoKeys.push_back(
     key("stretch", "H", "stretch of crests along the orbits, St_max", gonzato.stretch, 0.0, Largest));
-  gonzatoKeys.push_back(key("ks", "1/m", "influence of the depth on the stretch", gonzato.stretchDepth, 0.0, Largest));
+  gonzatoKeys.push_back(key("ks", "1/H", "influence of the depth on the stretch", gonzato.stretchDepth, 0.0, Largest));
   gonzatoKeys.push_back(
-    key("kd", "1/m", "influence of the depth on the fall of crests", gonzato.displacementDepth, 0.0, Largest));
+    key("kd", "1/H", "influence of the depth on the fall of crests", gonzato.displacementDepth, 0.0, Largest));
   const PeacheySection::Parameters peachey;
   const VortexSection::Parameters vortex;
   return {
@@ -67,7 +67,7 @@ std::vector<FormDescription> describeSections()
       "Sx = 1/(1 - exp(-kx h)), Sz = Sx (1 - exp(-kz h)), sin alpha = sin beta exp(-k0 h)", "Fournier and Reeves 1986",
       orbitKeys()),
     section("gonzato-lesaec", "ellipses within the disc; crests stretched and falling forward",
-      "R Sx <= 1/K; Stretch exp(-ks h) and Displacement exp(-kd h)", "Gonzato and Le Saec 1997",
+      "R Sx <= 1/K; Stretch exp(-ks h/H) and Displacement exp(-kd h/H)", "Gonzato and Le Saec 1997",
       std::move(gonzatoKeys)),
     section("peachey", "sine to sharp crests by steepness, steep fronts in shallow water",
       "up = H/2 w(u), u to a power where depth is small", "Peachey 1986",

@@ -81,9 +81,9 @@ TEST(GonzatoLeSaecSection, withoutThemItsAmplitudeDecreasesNearTheShoreAndNothin
 
 TEST(GonzatoLeSaecSection, stretchIsAParabolaThatLeavesTheTrough)
 {
-  // Eq. 6: St_max at the crest, 0 at the trough, along the major axis, times exp(-Ks h).
-  const GonzatoLeSaecSection with = gonzato(3.0, 0.2, Never);
-  const GonzatoLeSaecSection without = gonzato(0.0, 0.2, Never);
+  // Eq. 6: St_max at the crest, 0 at the trough, along the major axis, times exp(-Ks h), Ks = 0.4/H.
+  const GonzatoLeSaecSection with = gonzato(3.0, 0.4, Never);
+  const GonzatoLeSaecSection without = gonzato(0.0, 0.4, Never);
   const SectionPlace place = placeOf(2.0, 60.0, 5.0, 0.1);
   const TiltedOrbit orbit = with.orbit(place);
   for (const double psi : { -Pi, -2.0, -0.5, 0.0, 1.0, 3.0 })
@@ -111,7 +111,7 @@ TEST(GonzatoLeSaecSection, displacementHasThreeParts)
 
 TEST(GonzatoLeSaecSection, crestsFallByTheHeightInTheDirectionOfMinus45Degrees)
 {
-  const GonzatoLeSaecSection with = gonzato(0.0, 0.2, 0.3);
+  const GonzatoLeSaecSection with = gonzato(0.0, 0.2, 0.6);
   const GonzatoLeSaecSection without = gonzato(0.0, 0.2, Never);
   const SectionPlace place = placeOf(2.0, 60.0, 5.0, 0.1);
   const double crest = with.orbit(place).troughPhase();
