@@ -50,9 +50,10 @@ public:
     return { 0.0, amplitude * this->profile(u, sharpness, this->power(depthRatio)) };
   }
 
-private:
-  // A profile of range 2 and mean 0 stays within it; asymmetric ones come closest to it.
+  /** A profile of range 2 and mean 0 stays within it. */
   static constexpr double HighestOfProfile = 2.0;
+
+private:
   static constexpr std::size_t TableSize = 256;
 
   double cosineMean(double power) const;
