@@ -11,8 +11,9 @@
 #include <fmt/format.h>
 
 #include <vtkCellArray.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <chrono>
 #include <cmath>
@@ -112,6 +113,12 @@ void checkSurface(Request& request)
   }
 }
 
+void writeVtp(vtkPolyData* surface, const OutputFile& file, const Request& request, Console& console)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writeXml(writer, surface, file, request, console);
+}
+
 void saySurface(vtkPolyData* surface, const Console& console)
 {
   console.say(fmt::format("surface  {}: {} points, {} triangles", fieldText(surface, "Section"),
@@ -182,7 +189,7 @@ void writeSeries(Pipeline& pipeline, const OutputFile& file, const Request& requ
     {
       vtkPolyData* surface = pipeline.makeSurface(time);
       OutputFile frame((folder / name).string(), {});
-      writeLines(surface, frame, request, console);
+      writeVtp(surface, frame, request, console);
       frame.commit();
       if (i == kept)
       {
@@ -212,7 +219,7 @@ void runSurface(const Request& request, Console& console)
   {
     vtkPolyData* surface = pipeline.makeSurface(request.surface.time.value_or(0.0));
     saySurface(surface, console);
-    writeLines(surface, file, request, console);
+    writeVtp(surface, file, request, console);
   }
   file.commit();
   console.say(fmt::format("wrote    {}; open with: paraview {}", file.path(), file.path()));
