@@ -66,6 +66,12 @@ double brokenShare(double ratio)
   return std::exp(u);
 }
 
+double randomWaveLossRate(double ratio, double period)
+{
+  const double r = std::min(ratio, 1.0);
+  return r > 0.0 ? 2.0 / period * brokenShare(r) / (r * r) : 0.0;
+}
+
 double iribarrenNumber(double slope, double height, double period, double gravity)
 {
   const double deepLength = gravity * period * period / (2.0 * Pi);

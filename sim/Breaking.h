@@ -66,6 +66,13 @@ double battjesStiveGamma(double steepness);
  */
 double brokenShare(double ratio);
 
+/**
+ * Rate at which random waves lose energy by breaking, D/E = 2 Qb/(T (Hrms/Hm)^2), 1/s, of D = rho g Qb Hm^2/(4 T). Battjes and
+ * Janssen 1978.
+ * @param ratio Hrms/Hm, >= 0; above 1 taken as 1
+ */
+double randomWaveLossRate(double ratio, double period);
+
 /** Dally, Dean and Dalrymple 1985: decay coefficient K and stable height over depth, Gamma. */
 constexpr double DallyDecay = 0.15;
 constexpr double DallyStableIndex = 0.4;

@@ -134,10 +134,7 @@ double BreakingMarch::breakingLoss(const SurfSample& middle, double share, doubl
   if (this->Rule.breaking == BreakingRule::BattjesJanssen)
   {
     const auto rate = [&](double p)
-    {
-      const double ratio = std::min(1.0, middle.lossless * std::sqrt(p) / this->limit(middle));
-      return ratio > 0.0 ? 2.0 / this->Rule.period * swellray::brokenShare(ratio) / square(ratio) : 0.0;
-    };
+    { return randomWaveLossRate(middle.lossless * std::sqrt(p) / this->limit(middle), this->Rule.period); };
     const double half = share * std::exp(-0.5 * rate(share) * seconds);
     return -share * std::expm1(-rate(half) * seconds);
   }

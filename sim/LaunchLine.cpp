@@ -208,6 +208,11 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   return wave;
 }
 
+glm::dvec2 LaunchLine::wavenumberAt(const glm::dvec2& place, const glm::dvec2& inward) const
+{
+  return this->edgeWave({ place, leftOf(inward), inward, 0.0 }, 0.0).wavenumber;
+}
+
 glm::dvec2 LaunchLine::integrate(const Side& side, double from, double to) const
 {
   const double half = 0.5 * (to - from);

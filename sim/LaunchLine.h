@@ -70,6 +70,12 @@ public:
   /** Start of the ray with this parameter, 0 <= lambda <= length(). */
   LaunchPoint at(double lambda) const;
 
+  /**
+   * Wavenumber vector, rad/m, that the incident wave has at a place on the edge of the scene whose inward unit normal is
+   * this, also where it does not come in: in water no shallower than the aground depth. 0 where the rule has no wave.
+   */
+  glm::dvec2 wavenumberAt(const glm::dvec2& place, const glm::dvec2& inward) const;
+
   /** Unit normal of the contours, towards the shore; nothing where the direction is taken as given. */
   const std::optional<glm::dvec2>& contourNormal() const { return this->ContourNormal; }
 
