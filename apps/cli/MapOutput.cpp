@@ -40,6 +40,7 @@ constexpr Quantity Quantities[] = {
   { "DirectionFrom", "direction the wave comes from, clockwise from north", "degree", "sea_surface_wave_from_direction",
     "" },
   { "Wavelength", "length of the wave", "m", "", "" },
+  { "WavePhase", "phase of the wave; a crest stands where it is that of the time", "radian", "", "" },
   { "Breaking", "breaking of the highest wave", "1", "", "not_breaking breaking" },
   { "LeeRay", "rays that model diffraction into the lee bring the highest wave", "1", "", "refraction diffraction" },
   { "RayCount", "number of ray sheets", "1", "", "" },

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bathymetry/SeafloorOptions.h"
+#include "sim/AmplitudeDispersion.h"
 #include "sim/IncidentWave.h"
 #include "sim/RayMap.h"
 #include "sim/WaveHeight.h"
@@ -42,6 +43,19 @@ struct RayRequest
   HeightOptions height;
   bool geometricCaustics = false;      ///< no cap of the refraction coefficient
   std::optional<double> maxRefraction; ///< the cap where one was given
+};
+
+/** The waves by the mild-slope equation in place of rays. */
+struct MildSlopeRequest
+{
+  bool wanted = false;
+  std::optional<double> nodeSpacing; ///< m; none: from the scene
+  std::optional<double> minDepth;    ///< m; none: from the height
+  std::optional<double> memory;      ///< GB; none: four fifths of the machine's
+  std::optional<double> coastReflection;
+  bool sideWalls = false;
+  WaveDispersion dispersion = WaveDispersion::Linear;
+  bool planOnly = false; ///< only say what it will take
 };
 
 /** Where waves are asked for: on a map, and at stations. */
@@ -120,6 +134,7 @@ struct Request
   ContourRequest contour;
   RayRequest rays;
   MapRequest map;
+  MildSlopeRequest mildSlope;
   RenderRequest render;
   SurfaceRequest surface;
   ValidateRequest validate;

@@ -6,6 +6,7 @@
 #include "FieldValues.h"
 #include "LineOutput.h"
 #include "MapOutput.h"
+#include "MildSlopeRun.h"
 #include "Pipeline.h"
 #include "RayValues.h"
 #include "StationTable.h"
@@ -176,6 +177,7 @@ void sayDefaults(vtkPolyData* rays, const Request& request, const Console& conso
 void checkTrace(Request& request)
 {
   checkRays(request.rays);
+  checkMildSlope(request);
   const OutputRequest& output = request.output;
   checkOutputs(output);
   if (output.table.empty() != request.map.stations.empty())
@@ -183,7 +185,7 @@ void checkTrace(Request& request)
     throw UsageError("--stations and --table belong together; give both");
   }
   if (output.file.empty() && output.crests.empty() && output.breakerLine.empty() && output.map.empty() &&
-    output.table.empty())
+    output.table.empty() && !request.mildSlope.planOnly)
   {
     throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp, --breaker-line FILE.vtp, --map "
                      "FILE or --table FILE.csv");
@@ -216,6 +218,9 @@ void runTrace(const Request& request, Console& console)
   if (!request.map.waterLevels.empty())
   {
     traceWaterLevels(request, console);
+  if (request.mildSlope.wanted)
+  {
+    runMildSlope(request, console);
     return;
   }
   // Every file is opened, and the stations are read, before the work that they wait for.
@@ -313,6 +318,7 @@ CommandSpec traceSpec(Request& request)
   add(spec.options, lineOptions(request.output));
   add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
   add(spec.options, rayOptions(request.rays));
+  add(spec.options, mildSlopeOptions(request.mildSlope));
   add(spec.options, mapOptions(request.map));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples =
@@ -326,6 +332,7 @@ CommandSpec traceSpec(Request& request)
     "  swellray trace harbour.tif --period 12 --direction 20 --height 2 --obstacles breakwater.geojson --reflection "
     "0.5 "
     "-o rays.vtp\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --method mild-slope --map heights.nc\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "
