@@ -68,8 +68,8 @@ void addWaves(vtkPointData* out, const swellray::MildSlopeWaves& waves, const do
   std::copy(waves.breaking.begin(), waves.breaking.end(), breaking);
 }
 
-void setFields(vtkDataObject* output, const swellray::IncidentWave& wave, double waterLevel,
-  const swellray::MildSlopePlan& plan)
+void setFields(
+  vtkDataObject* output, const swellray::IncidentWave& wave, double waterLevel, const swellray::MildSlopePlan& plan)
 {
   swellray::setFieldString(output, "Method", "mild-slope");
   swellray::setFieldValue(output, "Period", wave.period);
@@ -132,8 +132,7 @@ int vtkSwellMildSlope::RequestInformation(
   return 1;
 }
 
-int vtkSwellMildSlope::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
+int vtkSwellMildSlope::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* seafloor = inputVector[0]->GetInformationObject(0);

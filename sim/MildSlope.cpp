@@ -84,8 +84,8 @@ DepthRange soundDepths(const Seafloor& seafloor, double waterLevel, double minDe
   return range;
 }
 
-void lay(MildSlopePlan& plan, const Rectangle& bounds, double spacing, const IncidentWave& wave, bool feedback,
-  bool sideWalls)
+void lay(
+  MildSlopePlan& plan, const Rectangle& bounds, double spacing, const IncidentWave& wave, bool feedback, bool sideWalls)
 {
   plan.layout = layOut(bounds, spacing, plan.longestWave, wave, sideWalls);
   const auto& padding = plan.layout.padding;
@@ -102,8 +102,8 @@ void lay(MildSlopePlan& plan, const Rectangle& bounds, double spacing, const Inc
   plan.solutions = feedback ? MostSolutions : 1;
 }
 
-[[noreturn]] void refuse(const MildSlopePlan& plan, const Rectangle& bounds, const IncidentWave& wave,
-  const MildSlopeOptions& options)
+[[noreturn]] void refuse(
+  const MildSlopePlan& plan, const Rectangle& bounds, const IncidentWave& wave, const MildSlopeOptions& options)
 {
   MildSlopePlan smaller = plan;
   double spacing = std::max(plan.spacing.x, plan.spacing.y);
@@ -179,8 +179,8 @@ void MildSlopeOptions::validate() const
     "the smallest depth must be above 0 m", this->minDepth.value_or(0.0));
   require(this->coastReflection >= 0.0 && this->coastReflection <= 1.0,
     "the reflection of the coast must be within 0 to 1", this->coastReflection);
-  require(this->wallReflection >= 0.0 && this->wallReflection <= 1.0,
-    "the reflection of a wall must be within 0 to 1", this->wallReflection);
+  require(this->wallReflection >= 0.0 && this->wallReflection <= 1.0, "the reflection of a wall must be within 0 to 1",
+    this->wallReflection);
   require(this->memory >= 0.0, "the memory must not be below 0", this->memory);
   this->height.validate();
 }
@@ -225,9 +225,8 @@ MildSlopeField solveMildSlope(const Seafloor& seafloor, double waterLevel, const
 {
   const MildSlopePlan plan = planMildSlope(seafloor, waterLevel, wave, options);
   MildSlopeField field;
-  field.Kept = std::make_unique<MildSlopeField::Data>(
-    MildSlopeField::Data{ MildSlopeMesh(seafloor, waterLevel, wave, options, plan, execution),
-      MildSlopeFeedback(wave, options), {}, {} });
+  field.Kept = std::make_unique<MildSlopeField::Data>(MildSlopeField::Data{
+    MildSlopeMesh(seafloor, waterLevel, wave, options, plan, execution), MildSlopeFeedback(wave, options), {}, {} });
   MildSlopeMesh& mesh = field.Kept->mesh;
   MildSlopeFeedback& feedback = field.Kept->feedback;
   std::vector<std::complex<double>>& eta = field.Kept->eta;

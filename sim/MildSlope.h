@@ -25,12 +25,12 @@ struct MildSlopeOptions
   std::optional<double> spacing;  ///< distance of the nodes, m, > 0; none: a tenth of the shortest wavelength
   std::optional<double> minDepth; ///< m, > 0; shallower is coast. None: half the depth in which H0 breaks
   EdgeRule edge = EdgeRule::Contours;
-  std::optional<double> shoreNormal;  ///< as LaunchLine has it
-  bool sideWalls = false;             ///< the two sides along which the wave runs are walls
-  double coastReflection = 0.0;       ///< amplitude of the reflected wave over that of the incident one, 0 to 1
+  std::optional<double> shoreNormal; ///< as LaunchLine has it
+  bool sideWalls = false;            ///< the two sides along which the wave runs are walls
+  double coastReflection = 0.0;      ///< amplitude of the reflected wave over that of the incident one, 0 to 1
   WaveDispersion dispersion = WaveDispersion::Linear;
-  HeightOptions height;               ///< breaking, gamma and friction of these
-  double memory = 0.0;                ///< bytes that may be taken; 0: any
+  HeightOptions height; ///< breaking, gamma and friction of these
+  double memory = 0.0;  ///< bytes that may be taken; 0: any
   /** True where something stands in the water that no wave passes; empty: nothing. Looked at once an element. */
   std::function<bool(const glm::dvec2&)> wall;
   double wallReflection = 1.0; ///< of what stands in the water, 0 to 1
@@ -51,16 +51,16 @@ struct MeshLayout
 struct MildSlopePlan
 {
   MeshLayout layout;
-  std::size_t columns = 0;      ///< nodes along x, those of the absorbing layers included
-  std::size_t rows = 0;         ///< along y
-  glm::dvec2 spacing{ 0.0 };    ///< m
-  double minDepth = 0.0;        ///< m
-  double shortestWave = 0.0;    ///< wavelength in the shallowest water, m
-  double longestWave = 0.0;     ///< in the deepest, m
-  double nodesPerWave = 0.0;    ///< in that wavelength
-  double bytes = 0.0;           ///< memory
-  double seconds = 0.0;         ///< about, on one thread, for one solution
-  std::size_t solutions = 1;    ///< at most: more than one where breaking, friction or amplitude dispersion feed back
+  std::size_t columns = 0;   ///< nodes along x, those of the absorbing layers included
+  std::size_t rows = 0;      ///< along y
+  glm::dvec2 spacing{ 0.0 }; ///< m
+  double minDepth = 0.0;     ///< m
+  double shortestWave = 0.0; ///< wavelength in the shallowest water, m
+  double longestWave = 0.0;  ///< in the deepest, m
+  double nodesPerWave = 0.0; ///< in that wavelength
+  double bytes = 0.0;        ///< memory
+  double seconds = 0.0;      ///< about, on one thread, for one solution
+  std::size_t solutions = 1; ///< at most: more than one where breaking, friction or amplitude dispersion feed back
 
   double nodes() const { return static_cast<double>(columns) * static_cast<double>(rows); }
 };

@@ -109,8 +109,8 @@ bool MildSlopeField::Data::surfaceAt(const glm::dvec2& place, Surface& surface) 
     {
       for (std::size_t a = i > reach ? i - reach : 0; a <= i && a + n - 1 <= columns; ++a)
       {
-        const double away = std::abs(local.x - static_cast<double>(a) - middle) +
-          std::abs(local.y - static_cast<double>(b) - middle);
+        const double away =
+          std::abs(local.x - static_cast<double>(a) - middle) + std::abs(local.y - static_cast<double>(b) - middle);
         if (away < nearest && this->allWater(a, b, n - 1, n - 1))
         {
           nearest = away;
@@ -158,8 +158,7 @@ MildSlopeMesh::Medium MildSlopeField::Data::mediumAt(const glm::dvec2& place, st
     {
       const auto i = std::clamp(low.x + a, 0.0, static_cast<double>(columns - 1));
       const auto j = std::clamp(low.y + b, 0.0, static_cast<double>(this->mesh.sceneRows() - 1));
-      const MildSlopeMesh::Medium& medium =
-        this->mesh.medium(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+      const MildSlopeMesh::Medium& medium = this->mesh.medium(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
       if (medium.kind == MildSlopeMesh::Kind::Water)
       {
         const double weight = (1.0 - std::abs(local.x - low.x - a)) * (1.0 - std::abs(local.y - low.y - b));

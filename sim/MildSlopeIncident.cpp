@@ -16,6 +16,9 @@ namespace swellray
 namespace
 {
 
+// Cosine of the angle to a side's normal above which a wave that comes in has not been over the scene before.
+constexpr double Straight = 0.5;
+
 glm::dvec2 inwardOf(MeshSide side)
 {
   switch (side)
@@ -69,6 +72,26 @@ MildSlopeIncident::MildSlopeIncident(const Seafloor& seafloor, double waterLevel
   this->walk(second, seafloor, waterLevel, wave, options, minDepth, line);
 }
 
+bool MildSlopeIncident::isShadowed(const Stop& stop, const glm::dvec2& direction) const
+{
+  // Back along the wave, half an element at a time, until out of the scene.
+  const MildSlopeMesh& mesh = *this->Mesh;
+  const auto columns = static_cast<double>(mesh.sceneColumns());
+  const auto rows = static_cast<double>(mesh.sceneRows());
+  const glm::dvec2 step = -0.5 * direction * std::min(mesh.spacing().x, mesh.spacing().y) / mesh.spacing();
+  // From the middle of the outermost elements: a wave along a side must not leave it at once.
+  const glm::dvec2 start(std::clamp(static_cast<double>(stop.i), 0.5, columns - 0.5),
+    std::clamp(static_cast<double>(stop.j), 0.5, rows - 0.5));
+  for (glm::dvec2 p = start; p.x >= 0.0 && p.y >= 0.0 && p.x < columns && p.y < rows; p += step)
+  {
+    if (mesh.medium(static_cast<std::size_t>(p.x), static_cast<std::size_t>(p.y)).kind != MildSlopeMesh::Kind::Water)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void MildSlopeIncident::walk(const std::vector<Stop>& stops, const Seafloor& seafloor, double waterLevel,
   const IncidentWave& wave, const MildSlopeOptions& options, double minDepth, const LaunchLine& line)
 {
@@ -118,8 +141,9 @@ void MildSlopeIncident::walk(const std::vector<Stop>& stops, const Seafloor& sea
       sample.depth = depth;
       sample.wavenumber = size;
       sample.groupSpeed = speeds.groupSpeed;
-      sample.lossless =
-        wave.height * std::sqrt(groupSpeed0 * glm::dot(t0, across) / (speeds.groupSpeed * cosine));
+      const double refraction =
+        std::min(options.height.maxRefraction, std::sqrt(glm::dot(t0, across) / std::max(cosine, 0.0)));
+      sample.lossless = wave.height * refraction * shoalingCoefficient(groupSpeed0, speeds.groupSpeed);
       if (march)
       {
         const double metres = std::max(0.0, glm::dot(here - place, across) / cosine);
@@ -130,7 +154,8 @@ void MildSlopeIncident::walk(const std::vector<Stop>& stops, const Seafloor& sea
       {
         march.emplace(rule, sample);
       }
-      node.eta = std::polar(0.5 * march->height(), phase);
+      const bool entersStraight = glm::dot(direction, inward) > Straight;
+      node.eta = !entersStraight && this->isShadowed(stop, direction) ? 0.0 : std::polar(0.5 * march->height(), phase);
     }
     place = here;
     wavenumber = k;
@@ -165,7 +190,8 @@ std::vector<std::complex<double>> MildSlopeIncident::load() const
       inside[a] = nearX == x && nearY == y;
       const EdgeNode& edge = this->at(nearX - west, nearY - south);
       const glm::dvec2 way = mesh.spacing() *
-        glm::dvec2(static_cast<double>(x) - static_cast<double>(nearX), static_cast<double>(y) - static_cast<double>(nearY));
+        glm::dvec2(
+          static_cast<double>(x) - static_cast<double>(nearX), static_cast<double>(y) - static_cast<double>(nearY));
       incident[a] = edge.eta * std::polar(1.0, glm::dot(edge.wavenumber, way));
     }
     for (std::size_t a = 0; a < 4; ++a)

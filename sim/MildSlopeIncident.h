@@ -11,7 +11,7 @@ namespace swellray
 /**
  * The incident wave on the outline of a scene: as LaunchLine brings it there, its phase integrated along the sides from the corner
  * that it meets first, its height H0 sqrt(Cg0 cos theta0/(Cg cos theta)) with the losses that BreakingMarch gives it on its way along the
- * sides. From the outline it goes on outward, one element wide, as the plane wave that it is there.
+ * sides; none where it would have come over land or through a wall of the scene. From the outline it goes on outward, one element wide, as the plane wave that it is there.
  */
 class MildSlopeIncident
 {
@@ -42,6 +42,7 @@ private:
 
   void walk(const std::vector<Stop>& stops, const Seafloor& seafloor, double waterLevel, const IncidentWave& wave,
     const MildSlopeOptions& options, double minDepth, const LaunchLine& line);
+  bool isShadowed(const Stop& stop, const glm::dvec2& direction) const;
   EdgeNode& at(std::size_t i, std::size_t j) { return this->Nodes[j * (this->Mesh->sceneColumns() + 1) + i]; }
   const EdgeNode& at(std::size_t i, std::size_t j) const
   {

@@ -89,8 +89,8 @@ MeshLayout layOut(const Rectangle& bounds, double spacing, double longestWave, c
   constexpr double rounding = 1e-9;
   layout.sceneColumns = static_cast<std::size_t>(std::max(2.0, std::ceil(size.x / spacing * (1.0 - rounding))));
   layout.sceneRows = static_cast<std::size_t>(std::max(2.0, std::ceil(size.y / spacing * (1.0 - rounding))));
-  const auto layer = static_cast<std::size_t>(
-    std::clamp(std::ceil(LayerWaves * longestWave / spacing), FewestLayers, MostLayers) + 1.0);
+  const auto layer =
+    static_cast<std::size_t>(std::clamp(std::ceil(LayerWaves * longestWave / spacing), FewestLayers, MostLayers) + 1.0);
   layout.padding.fill(layer);
   if (wallSides)
   {
@@ -309,7 +309,8 @@ void MildSlopeMesh::element(std::size_t i, std::size_t j, NestedDissection::Elem
     std::size_t first; // nodes of the element
     std::size_t second;
   };
-  constexpr std::array<Face, 4> faces{ Face{ -1, 0, 0, 2 }, Face{ 1, 0, 1, 3 }, Face{ 0, -1, 0, 1 }, Face{ 0, 1, 2, 3 } };
+  constexpr std::array<Face, 4> faces{ Face{ -1, 0, 0, 2 }, Face{ 1, 0, 1, 3 }, Face{ 0, -1, 0, 1 },
+    Face{ 0, 1, 2, 3 } };
   for (const Face& face : faces)
   {
     const std::ptrdiff_t ni = static_cast<std::ptrdiff_t>(i) + face.dx;

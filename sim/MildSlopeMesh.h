@@ -55,14 +55,14 @@ public:
   /** What holds in an element of the scene. */
   struct Medium
   {
-    double depth = 0.0;      ///< mean, not below the smallest depth, m
-    double flux = 0.0;       ///< C Cg, m2/s2
-    double stiffness = 0.0;  ///< k^2 C Cg of linear waves, 1/s2
-    double factor = 1.0;     ///< (k/k linear)^2
-    double loss = 0.0;       ///< W, 1/s
+    double depth = 0.0;     ///< mean, not below the smallest depth, m
+    double flux = 0.0;      ///< C Cg, m2/s2
+    double stiffness = 0.0; ///< k^2 C Cg of linear waves, 1/s2
+    double factor = 1.0;    ///< (k/k linear)^2
+    double loss = 0.0;      ///< W, 1/s
     Kind kind = Kind::Coast;
 
-    double wavenumber() const;      ///< rad/m
+    double wavenumber() const;       ///< rad/m
     double linearWavenumber() const; ///< rad/m
   };
 
@@ -127,6 +127,7 @@ private:
 };
 
 /** Layout of a mesh with this spacing; `wallSides`: no layers on the sides along which the wave runs. */
-MeshLayout layOut(const Rectangle& bounds, double spacing, double longestWave, const IncidentWave& wave, bool wallSides);
+MeshLayout layOut(
+  const Rectangle& bounds, double spacing, double longestWave, const IncidentWave& wave, bool wallSides);
 
 }

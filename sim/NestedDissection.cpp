@@ -202,8 +202,7 @@ bool NestedDissection::factor(
       const std::vector<std::uint32_t>& right = data.boxes[piece.right].kept;
       std::set_union(left.begin(), left.end(), right.begin(), right.end(), std::back_inserter(all));
     }
-    std::set_difference(
-      all.begin(), all.end(), box.kept.begin(), box.kept.end(), std::back_inserter(box.eliminated));
+    std::set_difference(all.begin(), all.end(), box.kept.begin(), box.kept.end(), std::back_inserter(box.eliminated));
 
     const auto placeOf = [&](std::uint32_t node) -> Eigen::Index
     {

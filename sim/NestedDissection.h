@@ -54,8 +54,7 @@ public:
    * @return false when cancelled
    * @throws std::runtime_error where the matrix is singular
    */
-  bool factor(
-    const std::function<void(std::size_t, std::size_t, Element&)>& element, const Execution& execution = {});
+  bool factor(const std::function<void(std::size_t, std::size_t, Element&)>& element, const Execution& execution = {});
 
   /** Solve in place: in f, out u, one a node; entries of nodes that are not unknown are not read, and become 0. */
   void solve(std::vector<Complex>& values) const;

@@ -61,17 +61,18 @@ void setUp(vtkSwellMildSlope* filter, const Request& request)
   filter->SetMemoryLimit(Gigabyte * asked.memory.value_or(0.0));
   filter->SetCoastReflection(asked.coastReflection.value_or(0.0));
   filter->SetSideWalls(asked.sideWalls);
-  filter->SetDispersion(asked.dispersion == WaveDispersion::Nonlinear ? vtkSwellMildSlope::NONLINEAR
-                                                                      : vtkSwellMildSlope::LINEAR);
+  filter->SetDispersion(
+    asked.dispersion == WaveDispersion::Nonlinear ? vtkSwellMildSlope::NONLINEAR : vtkSwellMildSlope::LINEAR);
   filter->SetSpacing(request.map.spacing.value_or(0.0));
 }
 
 void sayPlan(vtkDataObject* data, const Console& console)
 {
   const auto value = [&](const char* name) { return fieldNumber(data, name).value_or(0.0); };
-  console.say(fmt::format("mesh     {:g} x {:g} nodes {:.4g} m apart, {:.3g} in the shortest wavelength; coast where the "
-                          "depth is below {:.3g} m",
-    value("MeshColumns"), value("MeshRows"), value("MeshSpacing"), value("NodesPerWave"), value("MinimumDepth")));
+  console.say(
+    fmt::format("mesh     {:g} x {:g} nodes {:.4g} m apart, {:.3g} in the shortest wavelength; coast where the "
+                "depth is below {:.3g} m",
+      value("MeshColumns"), value("MeshRows"), value("MeshSpacing"), value("NodesPerWave"), value("MinimumDepth")));
   const double solutions = value("Solutions");
   console.say(fmt::format("cost     {:.3g} GB of memory and about {:.2g} s on one thread{}", value("Memory") / Gigabyte,
     value("SolutionSeconds"),
@@ -216,7 +217,8 @@ void runMildSlope(const Request& request, Console& console)
     written += (written.empty() ? "" : " and ") + tableFile->path();
   }
   sayHeights(map, console);
-  console.say(fmt::format("time     {:.2f} s for {:g} solutions", seconds, fieldNumber(map, "Solutions").value_or(0.0)));
+  console.say(
+    fmt::format("time     {:.2f} s for {:g} solutions", seconds, fieldNumber(map, "Solutions").value_or(0.0)));
   console.say(fmt::format("wrote    {}{}", written, mapFile ? "; open with: paraview " + mapFile->path() : ""));
 }
 
