@@ -15,11 +15,8 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 
 #include <array>
-#include <cmath>
 #include <exception>
-#include <limits>
-#include <stdexcept>
-#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSwellMap);
 

@@ -2,7 +2,9 @@
 
 #include "AlgorithmExecution.h"
 #include "FieldData.h"
+#include "GeoreferenceField.h"
 #include "MapNodes.h"
+#include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
 #include "sim/MildSlope.h"
@@ -22,6 +24,7 @@
 #include <array>
 #include <exception>
 #include <limits>
+#include <map>
 #include <optional>
 
 vtkStandardNewMacro(vtkSwellMildSlope);
@@ -68,6 +71,43 @@ void addWaves(vtkPointData* out, const swellray::MildSlopeWaves& waves, const do
   std::copy(waves.breaking.begin(), waves.breaking.end(), breaking);
 }
 
+/** Obstacles of one reflection coefficient. */
+struct WallGroup
+{
+  double reflection = 0.0;
+  swellray::Obstacles walls;
+};
+
+std::vector<WallGroup> groupWalls(const std::vector<swellray::Obstacle>& obstacles)
+{
+  std::map<double, std::vector<swellray::Obstacle>> sorted;
+  for (const swellray::Obstacle& obstacle : obstacles)
+  {
+    sorted[obstacle.reflection].push_back(obstacle);
+  }
+  std::vector<WallGroup> groups;
+  for (const auto& [reflection, list] : sorted)
+  {
+    groups.push_back({ reflection, swellray::Obstacles(list) });
+  }
+  return groups;
+}
+
+// What stands in an element: walls that cross it, or land that has its middle.
+std::optional<double> wallIn(const std::vector<WallGroup>& groups, const swellray::Rectangle& element)
+{
+  const glm::dvec2& a = element.low;
+  const glm::dvec2& b = element.high;
+  for (const WallGroup& group : groups)
+  {
+    if (group.walls.inside(0.5 * (a + b)) || group.walls.crosses(a, b) || group.walls.crosses({ a.x, b.y }, { b.x, a.y }))
+    {
+      return group.reflection;
+    }
+  }
+  return {};
+}
+
 void setFields(
   vtkDataObject* output, const swellray::IncidentWave& wave, double waterLevel, const swellray::MildSlopePlan& plan)
 {
@@ -92,13 +132,17 @@ void setFields(
 
 vtkSwellMildSlope::vtkSwellMildSlope()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
+  , Walls(std::make_unique<swellray::ObstacleField>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
 }
 
-vtkSwellMildSlope::~vtkSwellMildSlope() = default;
+vtkSwellMildSlope::~vtkSwellMildSlope()
+{
+  delete[] this->Obstacles;
+}
 
 int vtkSwellMildSlope::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -173,10 +217,21 @@ int vtkSwellMildSlope::RequestData(
 
     const std::shared_ptr<const swellray::Seafloor> seafloor =
       this->Seafloor->get(input, this->GetInputArrayToProcess(0, inputVector));
+    std::vector<WallGroup> walls;
+    if (this->Obstacles && *this->Obstacles)
+    {
+      this->Walls->get(this->Obstacles, swellray::georeferenceOf(input), seafloor->bounds(), this->Reflection);
+      walls = groupWalls(this->Walls->list());
+      options.wall = [&walls](const swellray::Rectangle& element) { return wallIn(walls, element); };
+    }
     const swellray::MildSlopePlan plan = swellray::planMildSlope(*seafloor, this->WaterLevel, wave, options);
     for (vtkDataObject* output : { static_cast<vtkDataObject*>(map), static_cast<vtkDataObject*>(points) })
     {
       setFields(output, wave, this->WaterLevel, plan);
+      if (options.wall)
+      {
+        swellray::setObstacles(output, this->Walls->list());
+      }
     }
     if (this->PlanOnly)
     {
@@ -223,6 +278,10 @@ int vtkSwellMildSlope::RequestData(
       swellray::setFieldValue(output, "SolutionChange", field.change());
       swellray::setFieldValue(output, "Residual", field.residual());
     }
+    for (const std::string& note : options.wall ? this->Walls->notes() : std::vector<std::string>())
+    {
+      vtkWarningMacro(<< note);
+    }
     if (!field.converged())
     {
       vtkWarningMacro(<< "after " << field.solutions() << " solutions heights still change by "
@@ -255,6 +314,8 @@ void vtkSwellMildSlope::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumDepth: " << this->MinimumDepth << "\n";
   os << indent << "SideWalls: " << (this->SideWalls ? "on" : "off") << "\n";
   os << indent << "CoastReflection: " << this->CoastReflection << "\n";
+  os << indent << "Obstacles: " << (this->Obstacles ? this->Obstacles : "(none)") << "\n";
+  os << indent << "Reflection: " << this->Reflection << "\n";
   os << indent << "Dispersion: " << (this->Dispersion == NONLINEAR ? "nonlinear" : "linear") << "\n";
   os << indent << "BreakingRule: " << this->BreakingRule << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";

@@ -9,6 +9,7 @@
 
 namespace swellray
 {
+class ObstacleField;
 class SeafloorField;
 }
 
@@ -140,6 +141,18 @@ public:
   ///@}
 
   ///@{
+  /** File of walls, as vtkSwellRayTracer takes it; default none. No wave passes an element that they touch. */
+  vtkSetStringMacro(Obstacles);
+  vtkGetStringMacro(Obstacles);
+  ///@}
+
+  ///@{
+  /** Height of the wave that an obstacle reflects over that of the incident one, 0 to 1, default 0; its own goes first. */
+  vtkSetMacro(Reflection, double);
+  vtkGetMacro(Reflection, double);
+  ///@}
+
+  ///@{
   /** Wavenumber of linear waves (default), or of waves of their height (Kirby and Dalrymple 1986). */
   vtkSetClampMacro(Dispersion, int, LINEAR, NONLINEAR);
   vtkGetMacro(Dispersion, int);
@@ -205,6 +218,8 @@ protected:
   double MinimumDepth = 0.0;
   vtkTypeBool SideWalls = 0;
   double CoastReflection = 0.0;
+  char* Obstacles = nullptr;
+  double Reflection = 0.0;
   int Dispersion = LINEAR;
   int BreakingRule = 1;
   double Gamma = 0.0;
@@ -217,6 +232,7 @@ private:
   void operator=(const vtkSwellMildSlope&) = delete;
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
+  std::unique_ptr<swellray::ObstacleField> Walls;
 };
 
 #endif

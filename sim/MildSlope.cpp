@@ -179,8 +179,6 @@ void MildSlopeOptions::validate() const
     "the smallest depth must be above 0 m", this->minDepth.value_or(0.0));
   require(this->coastReflection >= 0.0 && this->coastReflection <= 1.0,
     "the reflection of the coast must be within 0 to 1", this->coastReflection);
-  require(this->wallReflection >= 0.0 && this->wallReflection <= 1.0, "the reflection of a wall must be within 0 to 1",
-    this->wallReflection);
   require(this->memory >= 0.0, "the memory must not be below 0", this->memory);
   this->height.validate();
 }

@@ -31,9 +31,11 @@ struct MildSlopeOptions
   WaveDispersion dispersion = WaveDispersion::Linear;
   HeightOptions height; ///< breaking, gamma and friction of these
   double memory = 0.0;  ///< bytes that may be taken; 0: any
-  /** True where something stands in the water that no wave passes; empty: nothing. Looked at once an element. */
-  std::function<bool(const glm::dvec2&)> wall;
-  double wallReflection = 1.0; ///< of what stands in the water, 0 to 1
+  /**
+   * What stands in the water of an element, a rectangle in m: the share of the height that it reflects, 0 to 1, or nothing. No wave passes it, be
+   * it ever so thin. Empty: there is none. Called once an element, from the loop's threads.
+   */
+  std::function<std::optional<double>(const Rectangle&)> wall;
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;

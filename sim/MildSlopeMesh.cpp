@@ -106,8 +106,6 @@ MildSlopeMesh::MildSlopeMesh(const Seafloor& seafloor, double waterLevel, const 
   const MildSlopeOptions& options, const MildSlopePlan& plan, const Execution& execution)
   : Omega(wave.angularFrequency())
   , Gravity(wave.gravity)
-  , CoastAdmittance((1.0 - options.coastReflection) / (1.0 + options.coastReflection))
-  , WallAdmittance((1.0 - options.wallReflection) / (1.0 + options.wallReflection))
 {
   const Rectangle bounds = seafloor.bounds();
   const MeshLayout& layout = plan.layout;
@@ -171,7 +169,12 @@ void MildSlopeMesh::setMedia(const Seafloor& seafloor, double waterLevel, const 
           const glm::dvec2 middle = this->place(i, j) + 0.5 * this->Spacing;
           const double depth = waterLevel - seafloor.elevation(middle);
           const bool water = depth >= minDepth && !seafloor.isHole(middle);
-          medium.kind = options.wall && options.wall(middle) ? Kind::Wall : (water ? Kind::Water : Kind::Coast);
+          const glm::dvec2 corner = this->place(i, j);
+          const std::optional<double> wall =
+            options.wall ? options.wall({ corner, corner + this->Spacing }) : std::nullopt;
+          const double reflection = wall.value_or(options.coastReflection);
+          medium.kind = wall ? Kind::Wall : (water ? Kind::Water : Kind::Coast);
+          medium.admittance = (1.0 - reflection) / (1.0 + reflection);
           // Means of the coefficients, by the formula of Gauss with 2 x 2 points.
           for (const double y : { -GaussPoint, GaussPoint })
           {
@@ -320,10 +323,10 @@ void MildSlopeMesh::element(std::size_t i, std::size_t j, NestedDissection::Elem
     {
       continue;
     }
-    const Kind kind =
-      medium(this->sceneColumn(static_cast<std::size_t>(ni)), this->sceneRow(static_cast<std::size_t>(nj))).kind;
-    const double admittance = kind == Kind::Coast ? this->CoastAdmittance : this->WallAdmittance;
-    if (kind == Kind::Water || !(admittance > 0.0))
+    const Medium& beyond =
+      medium(this->sceneColumn(static_cast<std::size_t>(ni)), this->sceneRow(static_cast<std::size_t>(nj)));
+    const double admittance = beyond.admittance;
+    if (beyond.kind == Kind::Water || !(admittance > 0.0))
     {
       continue;
     }

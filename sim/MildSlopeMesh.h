@@ -60,6 +60,7 @@ public:
     double stiffness = 0.0; ///< k^2 C Cg of linear waves, 1/s2
     double factor = 1.0;    ///< (k/k linear)^2
     double loss = 0.0;      ///< W, 1/s
+    double admittance = 1.0; ///< of what is no water, (1 - R)/(1 + R)
     Kind kind = Kind::Coast;
 
     double wavenumber() const;       ///< rad/m
@@ -118,8 +119,6 @@ private:
   glm::dvec2 Origin{ 0.0 };
   double Omega = 1.0;
   double Gravity = StandardGravity;
-  double CoastAdmittance = 1.0; // (1 - R)/(1 + R)
-  double WallAdmittance = 0.0;
   std::vector<Medium> Media;
   std::vector<Complex> StretchX; // one a column of elements
   std::vector<Complex> StretchY;

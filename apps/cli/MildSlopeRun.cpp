@@ -51,6 +51,8 @@ void setUp(vtkSwellMildSlope* filter, const Request& request)
     filter->UseShoreNormalOn();
     filter->SetShoreNormal(*trace.shoreNormal);
   }
+  filter->SetObstacles(request.rays.obstacles.empty() ? nullptr : request.rays.obstacles.c_str());
+  filter->SetReflection(request.rays.reflection.value_or(0.0));
   const HeightOptions& height = request.rays.height;
   filter->SetBreakingRule(static_cast<int>(height.breaking));
   filter->SetGamma(height.gamma.value_or(0.0));

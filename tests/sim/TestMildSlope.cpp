@@ -202,8 +202,11 @@ TEST(MildSlope, BendsAroundABreakwaterAsSommerfeldHasIt)
   const auto seafloor = makeBuiltinSeafloor("shoal:height=0,depth=8,x0=-300,x1=300,y0=-150,y1=300");
   const IncidentWave wave = waveOf(8.0, 180.0, 2.0, 8.0);
   MildSlopeOptions options = lossless(wavelengthIn(wave, 8.0) / 20.0);
-  const double spacing = *options.spacing;
-  options.wall = [spacing](const glm::dvec2& p) { return p.x < 0.0 && std::abs(p.y) < 0.51 * spacing; };
+  options.wall = [](const Rectangle& element)
+  {
+    const bool stands = element.low.x < 0.0 && element.low.y < 1.0 && element.high.y >= 1.0;
+    return stands ? std::optional<double>(1.0) : std::nullopt;
+  };
   const MildSlopeField field = solveMildSlope(*seafloor, 0.0, wave, options);
   double squares = 0.0;
   double largest = 0.0;
