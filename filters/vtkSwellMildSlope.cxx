@@ -100,7 +100,8 @@ std::optional<double> wallIn(const std::vector<WallGroup>& groups, const swellra
   const glm::dvec2& b = element.high;
   for (const WallGroup& group : groups)
   {
-    if (group.walls.inside(0.5 * (a + b)) || group.walls.crosses(a, b) || group.walls.crosses({ a.x, b.y }, { b.x, a.y }))
+    if (group.walls.inside(0.5 * (a + b)) || group.walls.crosses(a, b) ||
+      group.walls.crosses({ a.x, b.y }, { b.x, a.y }))
     {
       return group.reflection;
     }

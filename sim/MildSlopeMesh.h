@@ -55,11 +55,11 @@ public:
   /** What holds in an element of the scene. */
   struct Medium
   {
-    double depth = 0.0;     ///< mean, not below the smallest depth, m
-    double flux = 0.0;      ///< C Cg, m2/s2
-    double stiffness = 0.0; ///< k^2 C Cg of linear waves, 1/s2
-    double factor = 1.0;    ///< (k/k linear)^2
-    double loss = 0.0;      ///< W, 1/s
+    double depth = 0.0;      ///< mean, not below the smallest depth, m
+    double flux = 0.0;       ///< C Cg, m2/s2
+    double stiffness = 0.0;  ///< k^2 C Cg of linear waves, 1/s2
+    double factor = 1.0;     ///< (k/k linear)^2
+    double loss = 0.0;       ///< W, 1/s
     double admittance = 1.0; ///< of what is no water, (1 - R)/(1 + R)
     Kind kind = Kind::Coast;
 

@@ -148,6 +148,10 @@ void checkMildSlope(const Request& request)
     throw UsageError("--method mild-slope has no rays to write with --output, --crests or --breaker-line; take --map "
                      "FILE, or --stations with --table");
   }
+  if (!request.map.waterLevels.empty())
+  {
+    throw UsageError("--method mild-slope knows one water level; leave out --water-levels, or take --method rays");
+  }
   if (!request.rays.current.empty())
   {
     throw UsageError("--method mild-slope knows no current; leave out --current, or take --method rays");

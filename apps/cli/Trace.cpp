@@ -218,6 +218,8 @@ void runTrace(const Request& request, Console& console)
   if (!request.map.waterLevels.empty())
   {
     traceWaterLevels(request, console);
+    return;
+  }
   if (request.mildSlope.wanted)
   {
     runMildSlope(request, console);

@@ -22,4 +22,4 @@ swellray_cli_test(mild_slope_options_alone 2 "" "belong to --method mild-slope" 
 swellray_cli_test(mild_slope_reflection 2 "" "--coast-reflection must be" "${mild_slope} --map m.vti --coast-reflection 1.2")
 swellray_cli_test(mild_slope_too_coarse 1 "" "at least 4 are needed" "$SWELLRAY trace berkhoff --period 1 --direction 270 --height 0.04 --method mild-slope --map m.vti --node-spacing 0.5")
 swellray_cli_test(mild_slope_obstacles 0 "heights  up to" ""
-  "$SWELLRAY trace $IN/beach.asc --obstacles $IN/wall.geojson --reflection 0.5 ${wave} --method mild-slope --node-spacing 5 --min-depth 1 --map m.vti && grep -qa ObstaclePoints m.vti")
+  "$SWELLRAY trace $IN/beach.asc --obstacles $IN/wall.geojson --reflection 0.5 ${wave} --method mild-slope --node-spacing 3 --min-depth 1 --map m.vti && grep -qa ObstaclePoints m.vti")
