@@ -21,5 +21,5 @@ swellray_cli_test(mild_slope_no_current 2 "" "--method mild-slope knows no curre
 swellray_cli_test(mild_slope_options_alone 2 "" "belong to --method mild-slope" "${shoal_waves} --map m.vti")
 swellray_cli_test(mild_slope_reflection 2 "" "--coast-reflection must be" "${mild_slope} --map m.vti --coast-reflection 1.2")
 swellray_cli_test(mild_slope_too_coarse 1 "" "at least 4 are needed" "$SWELLRAY trace berkhoff --period 1 --direction 270 --height 0.04 --method mild-slope --map m.vti --node-spacing 0.5")
-swellray_cli_test(mild_slope_obstacles 0 "heights  up to" ""
+swellray_cli_test(mild_slope_obstacles 0 "heights  up to" "scene's file"
   "$SWELLRAY trace $IN/beach.asc --obstacles $IN/wall.geojson --reflection 0.5 ${wave} --method mild-slope --node-spacing 3 --min-depth 1 --map m.vti && grep -qa ObstaclePoints m.vti")
