@@ -164,7 +164,7 @@ Soundings soundingsOf(ModelGrid&& grid)
     throw std::runtime_error("its grid of " + std::to_string(grid.columns) + " x " + std::to_string(grid.rows) +
       " nodes has no cell with four nodes");
   }
-  soundings.spacing = spacing;
+  soundings.spacing = grid.spacing.value_or(spacing);
   return soundings;
 }
 

@@ -6,6 +6,7 @@
 #include <glm/vec2.hpp>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,7 @@ struct ModelGrid
   std::vector<double> values; ///< columns x rows, first row first, as stored; NaN: none
 
   std::vector<glm::dvec2> places; ///< of a curvilinear grid: columns x rows, file coordinates; NaN: no node there
+  std::optional<double> spacing;  ///< nominal distance of these nodes; fineSpacing() where not set
   glm::dvec2 first{ 0.0 };        ///< of a regular one (no places): that of node (0, 0)
   glm::dvec2 columnStep{ 0.0 };   ///< from a node to the next of its row
   glm::dvec2 rowStep{ 0.0 };      ///< from a node to the next of its column
@@ -48,8 +50,8 @@ struct ModelGrid
 std::unique_ptr<RasterSource> rasterOf(ModelGrid&& grid);
 
 /**
- * The nodes of a curvilinear grid, and its cells with four nodes as cells. Their nominal spacing is
- * fineSpacing().
+ * The nodes of a curvilinear grid, and its cells with four nodes as cells. Their nominal spacing is that of
+ * the grid, or fineSpacing().
  * @throws std::runtime_error where no cell has four nodes
  */
 Soundings soundingsOf(ModelGrid&& grid);

@@ -1,6 +1,7 @@
 #include "bathymetry/SeafloorReader.h"
 
 #include "bathymetry/CrsChoice.h"
+#include "bathymetry/EvenCells.h"
 #include "bathymetry/FileGrid.h"
 #include "bathymetry/FillGaps.h"
 #include "bathymetry/GridSoundings.h"
@@ -261,8 +262,12 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
 {
   if (std::optional<ModelGrid> model = readModelGrid(path))
   {
-    return model->places.empty() ? readRaster(path, *rasterOf(std::move(*model)), options, execution)
-                                 : readScattered(path, soundingsOf(std::move(*model)), options, execution);
+    if (model->places.empty())
+    {
+      return readRaster(path, *rasterOf(std::move(*model)), options, execution);
+    }
+    evenCells(*model, options.nodata);
+    return readScattered(path, soundingsOf(std::move(*model)), options, execution);
   }
   if (const std::optional<Soundings> mesh = readUgridMesh(path, options.variable))
   {
