@@ -133,6 +133,7 @@ void SurfaceSheet::fill(
   this->Caustics.resize(count);
   this->Breaking.resize(count);
   this->State.resize(count);
+  this->Shore.resize(count);
   const SheetRays& sheet = rays.sheet;
   const std::int64_t originals = sheet.lines.rays > 0 ? sheet.lines.offsets[sheet.lines.rays] : 0;
   constexpr auto aground = static_cast<std::uint8_t>(RayState::Aground);
@@ -183,6 +184,7 @@ void SurfaceSheet::fill(
         const std::int64_t nearest = w > 0.5 ? b : a;
         // On the way to where it runs aground a ray is on the water.
         this->State[i] = sheet.state[w == 1.0 ? b : a];
+        this->Shore[i] = sheet.state[a] == aground || this->State[i] == aground ? 1 : 0;
         this->Caustics[i] = sheet.caustics[nearest];
         // Breaking begins between two points: from there on the way tells.
         const double way = sheet.breaking[b] ? rays.breakingDistance[b] - (1.0 - w) * span / sheet.wavenumber[b] : 0.0;
@@ -210,7 +212,13 @@ void SurfaceSheet::weave(double maxSpacing, const Obstacles* obstacles)
   sheet.height = this->Height.data();
   sheet.caustics = this->Caustics.data();
   sheet.breaking = this->Breaking.data();
-  sheet.state = this->State.data();
+  // No triangle lies along the shore alone, nor where a ray of it ends.
+  std::vector<std::uint8_t> state = this->State;
+  for (std::size_t i = 0; i < state.size(); ++i)
+  {
+    state[i] = this->Shore[i] ? static_cast<std::uint8_t>(RayState::Aground) : state[i];
+  }
+  sheet.state = state.data();
   this->Triangles = RaySheets(sheet, maxSpacing).triangles();
   for (Triangle& triangle : this->Triangles)
   {
@@ -231,8 +239,7 @@ void SurfaceSheet::turnUp(Triangle& triangle) const
 
 void SurfaceSheet::reachBeach(const Seafloor& seafloor, double waterLevel)
 {
-  constexpr auto aground = static_cast<std::uint8_t>(RayState::Aground);
-  const auto onShore = [&](std::int64_t i) { return this->State[static_cast<std::size_t>(i)] == aground; };
+  const auto onShore = [&](std::int64_t i) { return this->Shore[static_cast<std::size_t>(i)] != 0; };
 
   // Edges along the shore that only one triangle has.
   const auto points = static_cast<std::int64_t>(this->Phase.size());
@@ -309,6 +316,7 @@ void SurfaceSheet::reachBeach(const Seafloor& seafloor, double waterLevel)
       this->Caustics.push_back(this->Caustics[i]);
       this->Breaking.push_back(this->Breaking[i]);
       this->State.push_back(this->State[i]);
+      this->Shore.push_back(1);
     }
     beachOf.emplace(point, twin);
     return twin;

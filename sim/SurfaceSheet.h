@@ -69,7 +69,8 @@ public:
   std::vector<double> BreakingDistance;
   std::vector<std::int32_t> Caustics;
   std::vector<std::uint8_t> Breaking;
-  std::vector<std::uint8_t> State;
+  std::vector<std::uint8_t> State; ///< RayState
+  std::vector<std::uint8_t> Shore; ///< 1 where aground, also where such a ray has died between two others
 
   std::vector<std::int64_t> BeachBase; ///< one a point on the beach: the point of a ray that it belongs to
   std::vector<Triangle> Triangles;

@@ -1,7 +1,6 @@
 #include "sim/WaveSurface.h"
 
 #include "sim/Angles.h"
-#include "sim/RayField.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -27,8 +26,6 @@ constexpr double ShallowDepths = 3.0;
 
 // What lies on the bed is so thin that it is not seen but drawn above it, m.
 constexpr double Film = 0.01;
-
-constexpr auto Aground = static_cast<std::uint8_t>(RayState::Aground);
 
 }
 
@@ -91,6 +88,10 @@ WaveSurface::WaveSurface(
         this->Histories[ray] = SurfHistory(arrays, options.breakerIndex);
       }
     });
+  for (std::size_t i = 0; i < sheet.rayPointCount(); ++i)
+  {
+    this->ShoreDepth = sheet.Shore[i] ? std::max(this->ShoreDepth, sheet.Depth[i]) : this->ShoreDepth;
+  }
   // Parents come before those inserted beside them.
   for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
   {
@@ -186,12 +187,12 @@ void WaveSurface::displaceRay(
     const double wave = std::round((sheet.Phase[run.first] - passed) / (2.0 * Pi));
     const double crestPhase = passed + 2.0 * Pi * wave;
     const double lowest = crestPhase - Pi;
-    const bool shore = sheet.State[run.first] == Aground;
+    const bool shore = sheet.Shore[run.first] != 0;
     run.count = 0;
     while (run.count < RunSize && run.first + run.count < last)
     {
       const std::size_t i = run.first + run.count;
-      if (run.count > 0 && (sheet.Phase[i] > lowest + 2.0 * Pi || (sheet.State[i] == Aground) != shore))
+      if (run.count > 0 && (sheet.Phase[i] > lowest + 2.0 * Pi || (sheet.Shore[i] != 0) != shore))
       {
         break;
       }
@@ -239,16 +240,23 @@ void WaveSurface::place(const Run& run, const SurfaceArrays& arrays) const
   {
     const std::size_t i = run.first + j;
     const glm::dvec2 direction(sheet.Direction[3 * i], sheet.Direction[3 * i + 1]);
-    const glm::dvec2 at = glm::dvec2(sheet.Position[3 * i], sheet.Position[3 * i + 1]) + run.along[j] * direction;
-    double depth = sheet.Depth[i] - sheet.Slope[i] * run.along[j];
+    double along = run.along[j];
+    double alongRate = run.alongRate[j];
+    if (sheet.Slope[i] > 0.0 && along > 0.0 && sheet.Depth[i] - sheet.Slope[i] * along < this->ShoreDepth)
+    {
+      along = std::min(along, std::max(0.0, (sheet.Depth[i] - this->ShoreDepth) / sheet.Slope[i]));
+      alongRate = 0.0;
+    }
+    const glm::dvec2 at = glm::dvec2(sheet.Position[3 * i], sheet.Position[3 * i + 1]) + along * direction;
+    double depth = sheet.Depth[i] - sheet.Slope[i] * along;
     if (depth < ShallowDepths * sheet.Height[i])
     {
       depth = this->Options.waterLevel - this->Bed.elevation(at);
     }
     const double k = sheet.Wavenumber[i];
     double up = run.up[j];
-    glm::dvec3 normal(-k * run.upRate[j] * direction, 1.0 + k * run.alongRate[j]);
-    glm::dvec3 velocity(-run.omega * run.alongRate[j] * direction, -run.omega * run.upRate[j]);
+    glm::dvec3 normal(-k * run.upRate[j] * direction, 1.0 + k * alongRate);
+    glm::dvec3 velocity(-run.omega * alongRate * direction, -run.omega * run.upRate[j]);
     if (up < Film - depth)
     {
       up = Film - depth;

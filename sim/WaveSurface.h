@@ -48,7 +48,8 @@ struct SurfaceArrays
  *
  * With the ray's direction d the point x goes to x + along d + up z; the normal is that of the tangents along the ray,
  * (1 + k along') d + k up' z, and along the crest, which is taken as straight; the velocity is -omega (along' d + up' z).
- * Points of the shore move up and down only. Nothing goes below the bed: what would, lies on it.
+ * Points of the shore move up and down only, and none is carried past it. Nothing goes below the bed: what would, lies on
+ * it.
  */
 class WaveSurface
 {
@@ -76,6 +77,7 @@ private:
   SurfaceOptions Options;
   std::vector<SurfHistory> Histories; // one a ray
   std::vector<double> Ripeness;       // one a point of a ray
+  double ShoreDepth = 0.0;            // of points aground
 };
 
 }

@@ -24,7 +24,7 @@ class Scene
 {
 public:
   Scene(double width, double spacing, double pointsPerWave)
-    : Bed(makeBuiltinSeafloor("plane:slope=0.02,x0=-50,x1=700,y0=0,y1=" + std::to_string(width)))
+    : Bed(makeBuiltinSeafloor("plane:slope=0.02,x0=-50,x1=450,y0=0,y1=" + std::to_string(width)))
   {
     IncidentWave wave;
     wave.period = 8.0;

@@ -20,6 +20,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 namespace
@@ -212,6 +214,55 @@ TEST(Surface, staysAboveTheGround)
       double point[3];
       surface->GetPoint(i, point);
       ASSERT_GE(point[2], -0.03 * point[0] - 1e-6) << section;
+    }
+  }
+}
+
+TEST(Surface, reachesTheBeachWithoutAGapAndCarriesNothingPastIt)
+{
+  Scene scene;
+  scene.Reader->SetFileName("bay");
+  scene.Tracer->SetPeriod(3.0);
+  scene.Tracer->SetDirectionFrom(90.0);
+  scene.Tracer->SetWaveHeight(0.5);
+  scene.Tracer->SetSpacing(1.0);
+  scene.Surface->SetTime(3.0);
+  scene.Surface->Update();
+  vtkPolyData* surface = scene.Surface->GetOutput();
+  vtkDataArray* depth = surface->GetPointData()->GetArray("Depth");
+  vtkDataArray* state = surface->GetPointData()->GetArray("RayState");
+  constexpr double aground = 0.05 * 0.5;
+  constexpr double tolerance = 1e-4; // of the depth contour that rays follow
+  std::map<std::pair<vtkIdType, vtkIdType>, int> uses;
+  for (vtkIdType i = 0; i < surface->GetPolys()->GetNumberOfCells(); ++i)
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    surface->GetPolys()->GetCellAtId(i, size, corners);
+    for (int c = 0; c < 3; ++c)
+    {
+      ++uses[std::minmax(corners[c], corners[(c + 1) % 3])];
+    }
+  }
+  const auto onShore = [&](vtkIdType i) { return std::abs(depth->GetComponent(i, 0) - aground) < tolerance; };
+  int beach = 0;
+  int open = 0;
+  for (const auto& [edge, count] : uses)
+  {
+    open += count == 1 && onShore(edge.first) && onShore(edge.second) && state->GetComponent(edge.first, 0) != 1.0 &&
+        state->GetComponent(edge.second, 0) != 1.0
+      ? 1
+      : 0;
+    beach += depth->GetComponent(edge.first, 0) < 0.0 && depth->GetComponent(edge.second, 0) < 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(beach, 100);
+  EXPECT_LE(open, 2); // where the scene ends beside the beach
+  for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+  {
+    if (depth->GetComponent(i, 0) > 0.0)
+    {
+      // A bed that bends over the few metres to the shore: a fifth of the depth.
+      ASSERT_GT(depth->GetComponent(i, 0), 0.8 * aground);
     }
   }
 }
