@@ -161,7 +161,9 @@ void Gridder::measureDistances(const NaturalNeighbours& neighbours)
     throw std::runtime_error(
       "its " + std::to_string(this->Points.size()) + " soundings lie on one line: no seafloor can be made of them");
   }
-  const double gap = GapOverRadius * usualRadius(triangles);
+  const double radius = usualRadius(triangles);
+  const double gap = GapOverRadius * radius;
+  report.patch = std::sqrt(2.0) * radius;
   const bool cells = !this->Input.cellOffsets.empty();
   report.cells = cells ? this->Input.cellOffsets.size() - 1 : 0;
   report.maxGapChosen = !this->Options.maxGap && !cells;
@@ -241,7 +243,7 @@ void Gridder::judge(NaturalNeighbours& neighbours)
         elevations.push_back(this->Places.elevation[place]);
       }
     }
-    report.tenth = summarize(tenthDifferences(points, elevations, this->Run), file);
+    report.tenth = summarize(tenthDifferences(points, elevations, report.patch, this->Run), file);
   }
 }
 

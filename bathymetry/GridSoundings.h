@@ -38,10 +38,11 @@ struct GriddedSoundings
  *
  * Options used: `resample`, distance of nodes, m (the nominal spacing where the soundings have one, otherwise about
  * their mean distance, the root of the area that they cover over their number); `maxGap`, m: a node further than that
- * from every sounding is a hole (not set: 2.5 times the median distance of neighbours in the sparse direction, see
- * SoundingReport::maxGap; with cells no limit unless set); `crop`, file coordinates: nodes lie in it, soundings around
- * it take part; `positive`, `crs`, `nodata`, `dropOutliers`, `crossValidate`. A node outside the convex hull of the
- * soundings, or outside the cells where there are any, is a hole. The rest of the options is the caller's.
+ * from every sounding is a hole (not set: 3.54 times the median radius of the circles of the Delaunay triangles, by
+ * area, which closes gaps five cells wide on a lattice; with cells no limit unless set); `crop`, file coordinates: nodes
+ * lie in it, soundings around it take part; `positive`, `crs`, `nodata`, `dropOutliers`, `crossValidate`. A node outside
+ * the convex hull of the soundings, or outside the cells where there are any, is a hole. The rest of the options is the
+ * caller's.
  *
  * The result is the same for any number of threads. A million soundings take some seconds and 0.5 GB.
  *

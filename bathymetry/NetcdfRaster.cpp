@@ -1,6 +1,7 @@
 #include "bathymetry/NetcdfRaster.h"
 
 #include "bathymetry/FileGrid.h"
+#include "bathymetry/NetcdfArrays.h"
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/Wkt.h"
@@ -18,37 +19,6 @@ namespace swellray
 namespace
 {
 
-// What NetCDF writes where nothing was written (netcdf.h, NC_FILL_FLOAT and NC_FILL_DOUBLE).
-constexpr double NetcdfFill = 9.9692099683868690e+36;
-
-std::string attribute(const GDALMDArray& array, const char* name)
-{
-  const auto found = array.GetAttribute(name);
-  const char* value = found ? found->ReadAsString() : nullptr;
-  return value ? value : "";
-}
-
-std::vector<double> numbers(const GDALMDArray& array, const char* name)
-{
-  const auto found = array.GetAttribute(name);
-  if (!found || found->GetDataType().GetClass() != GEDTC_NUMERIC)
-  {
-    return {};
-  }
-  return found->ReadAsDoubleArray();
-}
-
-bool isNumeric(const GDALMDArray& array)
-{
-  return array.GetDataType().GetClass() == GEDTC_NUMERIC &&
-    !GDALDataTypeIsComplex(array.GetDataType().GetNumericDataType());
-}
-
-bool isDegrees(const std::string& units)
-{
-  return plain(units).compare(0, 6, "degree") == 0;
-}
-
 // Longitudes that jump by a turn, as from 180 to -180, count on instead.
 void countOn(std::vector<double>& longitudes)
 {
@@ -59,34 +29,6 @@ void countOn(std::vector<double>& longitudes)
     turn -= std::abs(jump) > 180.0 ? std::copysign(360.0, jump) : 0.0;
     longitudes[i] += turn;
   }
-}
-
-// CF 1.8, sections 4.1, 4.2 and 4.4, then the usual names.
-char axisLetter(const GDALMDArray& coordinate)
-{
-  const std::string axis = plain(attribute(coordinate, "axis"));
-  const std::string standard = plain(attribute(coordinate, "standard_name"));
-  const std::string units = plain(coordinate.GetUnit());
-  const std::string name = plain(coordinate.GetName());
-  const bool east = units == "degrees_east" || units == "degree_east" || units == "degrees_e" || units == "degree_e";
-  const bool north = units == "degrees_north" || units == "degree_north" || units == "degrees_n" || units == "degree_n";
-  if (axis == "x" || standard == "longitude" || standard == "projection_x_coordinate" || east)
-  {
-    return 'x';
-  }
-  if (axis == "y" || standard == "latitude" || standard == "projection_y_coordinate" || north)
-  {
-    return 'y';
-  }
-  if (name == "x" || name == "lon" || name == "longitude" || name == "easting")
-  {
-    return 'x';
-  }
-  if (name == "y" || name == "lat" || name == "latitude" || name == "northing")
-  {
-    return 'y';
-  }
-  return 0;
 }
 
 }
@@ -117,7 +59,7 @@ NetcdfRaster::NetcdfRaster(const std::string& path, const std::string& variable)
     throw std::runtime_error("not a NetCDF file that GDAL can read: " + QuietGdal::lastError("no reason given"));
   }
   this->Header.driver = "netCDF";
-  this->listArrays(root, "", 0);
+  this->Arrays = listArrays(*root);
   this->select(variable);
   this->readMeaning();
 }
@@ -130,26 +72,6 @@ NetcdfRaster::~NetcdfRaster()
   this->Dataset.reset();
 }
 
-void NetcdfRaster::listArrays(const std::shared_ptr<GDALGroup>& group, const std::string& prefix, int depth)
-{
-  for (const std::string& name : group->GetMDArrayNames())
-  {
-    if (auto array = group->OpenMDArray(name))
-    {
-      this->Arrays.push_back({ prefix + name, array });
-    }
-  }
-  constexpr int deepest = 8; // more nesting than any data set has
-  for (const std::string& name : group->GetGroupNames())
-  {
-    const auto inner = depth < deepest ? group->OpenGroup(name) : nullptr;
-    if (inner)
-    {
-      this->listArrays(inner, prefix + name + "/", depth + 1);
-    }
-  }
-}
-
 // The coordinate variable of a dimension: its own, or a one-dimensional variable on it that says which axis it is.
 std::shared_ptr<GDALMDArray> NetcdfRaster::coordinates(const GDALMDArray& array, std::size_t dimension) const
 {
@@ -159,7 +81,7 @@ std::shared_ptr<GDALMDArray> NetcdfRaster::coordinates(const GDALMDArray& array,
   {
     return own;
   }
-  for (const NamedArray& named : this->Arrays)
+  for (const NetcdfArray& named : this->Arrays)
   {
     const GDALMDArray& other = *named.array;
     if (other.GetDimensionCount() == 1 && isNumeric(other) &&
@@ -213,9 +135,9 @@ bool NetcdfRaster::findAxes(const GDALMDArray& array, Candidate& candidate) cons
 
 void NetcdfRaster::select(const std::string& variable)
 {
-  std::vector<std::pair<const NamedArray*, Candidate>> candidates;
+  std::vector<std::pair<const NetcdfArray*, Candidate>> candidates;
   std::string names;
-  for (const NamedArray& named : this->Arrays)
+  for (const NetcdfArray& named : this->Arrays)
   {
     Candidate candidate;
     if (this->findAxes(*named.array, candidate))
@@ -224,7 +146,7 @@ void NetcdfRaster::select(const std::string& variable)
       names += (names.empty() ? "" : ", ") + named.name;
     }
   }
-  const auto takeOnly = [&candidates](auto accepts) -> const std::pair<const NamedArray*, Candidate>*
+  const auto takeOnly = [&candidates](auto accepts) -> const std::pair<const NetcdfArray*, Candidate>*
   {
     const auto first = std::find_if(candidates.begin(), candidates.end(), accepts);
     const bool only =
@@ -232,7 +154,7 @@ void NetcdfRaster::select(const std::string& variable)
     return only ? &*first : nullptr;
   };
 
-  const std::pair<const NamedArray*, Candidate>* chosen = nullptr;
+  const std::pair<const NetcdfArray*, Candidate>* chosen = nullptr;
   if (!variable.empty())
   {
     chosen = takeOnly([&variable](const auto& c) { return c.first->name == variable; });
@@ -393,31 +315,7 @@ std::vector<double> NetcdfRaster::read(const RasterWindow& window, double nodata
       "variable '" + this->Header.variable + "' cannot be read: " + QuietGdal::lastError("no reason given"));
   }
 
-  const bool single = this->Array->GetDataType().GetNumericDataType() == GDT_Float32;
-  NoDataMark missing;
-  bool has = false;
-  const double fill = this->Array->GetNoDataValueAsDouble(&has);
-  missing.add(has ? fill : NetcdfFill, single || !has);
-  missing.add(nodata, single);
-  for (const double mark : numbers(*this->Array, "missing_value"))
-  {
-    missing.add(mark, single);
-  }
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
-  const std::vector<double> range = numbers(*this->Array, "valid_range");
-  const std::vector<double> lowest = numbers(*this->Array, "valid_min");
-  const std::vector<double> highest = numbers(*this->Array, "valid_max");
-  low = range.size() == 2 ? range[0] : lowest.size() == 1 ? lowest[0] : low;
-  high = range.size() == 2 ? range[1] : highest.size() == 1 ? highest[0] : high;
-
-  const double scale = this->Array->GetScale();
-  const double offset = this->Array->GetOffset();
-  for (double& value : values)
-  {
-    value =
-      missing(value) || value < low || value > high ? std::numeric_limits<double>::quiet_NaN() : value * scale + offset;
-  }
+  maskAndScale(*this->Array, nodata, values);
   return values;
 }
 

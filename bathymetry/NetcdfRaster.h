@@ -1,9 +1,9 @@
 #pragma once
 
+#include "bathymetry/NetcdfArrays.h"
 #include "bathymetry/RasterSource.h"
 
 class GDALDataset;
-class GDALGroup;
 class GDALMDArray;
 
 namespace swellray
@@ -25,7 +25,6 @@ private:
   struct Axis;
   struct Candidate;
 
-  void listArrays(const std::shared_ptr<GDALGroup>& group, const std::string& prefix, int depth);
   std::shared_ptr<GDALMDArray> coordinates(const GDALMDArray& array, std::size_t dimension) const;
   bool findAxes(const GDALMDArray& array, Candidate& candidate) const;
   Axis readAxis(const GDALMDArray& coordinate) const;
@@ -33,13 +32,8 @@ private:
   void readPlace(const Candidate& candidate);
   void readMeaning();
 
-  struct NamedArray
-  {
-    std::string name;
-    std::shared_ptr<GDALMDArray> array;
-  };
   std::unique_ptr<GDALDataset> Dataset;
-  std::vector<NamedArray> Arrays;
+  std::vector<NetcdfArray> Arrays;
   std::shared_ptr<GDALMDArray> Array;
   std::size_t XDimension = 0;
   std::size_t YDimension = 0;

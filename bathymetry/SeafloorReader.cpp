@@ -8,6 +8,7 @@
 #include "bathymetry/ModelFiles.h"
 #include "bathymetry/RasterSource.h"
 #include "bathymetry/SmoothGrid.h"
+#include "bathymetry/SoundingsReader.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/ToMetres.h"
 #include "bathymetry/UgridMesh.h"
@@ -194,7 +195,9 @@ Bathymetry readScattered(
 {
   Bathymetry result;
   SeafloorReport& said = result.report;
-  GriddedSoundings gridded = gridSoundings(soundings, options, execution);
+  Execution first = execution;
+  first.progress = [&execution](double share) { return execution.report(0.3 + 0.6 * share); };
+  GriddedSoundings gridded = gridSoundings(soundings, options, first);
   result.grid = std::move(gridded.grid);
   result.georeference = gridded.georeference;
   requireWater(result.grid, options, gridded.meaning);
@@ -207,6 +210,7 @@ Bathymetry readScattered(
   said.soundings = gridded.report;
   said.notes = gridded.notes;
   finish(result, gridded.meaning, options, execution);
+  report(execution, 1.0);
   return result;
 }
 
@@ -272,6 +276,10 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
   if (const std::optional<Soundings> mesh = readUgridMesh(path, options.variable))
   {
     return readScattered(path, *mesh, options, execution);
+  }
+  if (const std::optional<Soundings> soundings = readSoundings(path, options.variable))
+  {
+    return readScattered(path, *soundings, options, execution);
   }
   return readRaster(path, *openRaster(path, options.variable), options, execution);
 }

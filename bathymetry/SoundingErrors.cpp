@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <random>
+#include <utility>
 
 namespace swellray
 {
@@ -39,7 +41,7 @@ void compare(const NaturalNeighbours& places, const std::vector<double>& elevati
 {
   const NaturalNeighbours::Estimate foretold = places.leftOut(place, elevations);
   differences.elevation[place] = elevations[place] - foretold.value;
-  differences.slope[place] = differences.elevation[place] / foretold.distance;
+  differences.bend[place] = differences.elevation[place] / (foretold.distance * foretold.distance);
 }
 
 class OutlierSearch
@@ -55,7 +57,7 @@ public:
     const double high = valueAt(sorted, 0.99);
     const double range = high - valueAt(sorted, 0.01);
     this->Least = std::max(limitOf(differences.elevation), LeastShareOfRange * range);
-    this->LeastSlope = limitOf(differences.slope);
+    this->LeastBend = limitOf(differences.bend);
   }
 
   std::vector<std::uint32_t> find()
@@ -104,7 +106,7 @@ private:
   bool isLarge(std::size_t place) const
   {
     return std::abs(this->Differences.elevation[place]) > this->Least &&
-      std::abs(this->Differences.slope[place]) > this->LeastSlope;
+      std::abs(this->Differences.bend[place]) > this->LeastBend;
   }
 
   bool isOutlier(std::uint32_t place)
@@ -150,7 +152,7 @@ private:
       touched.insert(touched.end(), this->Ring.begin(), this->Ring.end());
       this->Places.remove(place);
       this->Differences.elevation[place] = NotANumber;
-      this->Differences.slope[place] = NotANumber;
+      this->Differences.bend[place] = NotANumber;
     }
     std::vector<std::uint32_t> candidates;
     for (const std::uint32_t place : touched)
@@ -174,7 +176,7 @@ private:
   LeftOutDifferences& Differences;
   std::vector<std::uint32_t> Round; // in which each was last compared
   double Least = 0.0;
-  double LeastSlope = 0.0;
+  double LeastBend = 0.0;
   std::vector<std::uint32_t> Ring;
   std::vector<std::uint32_t> Outer;
   std::vector<std::uint32_t> Around;
@@ -227,15 +229,19 @@ SoundingReport::LeftOut summarize(const std::vector<double>& differences, const 
   return error;
 }
 
-std::vector<double> tenthDifferences(
-  const std::vector<glm::dvec2>& points, const std::vector<double>& elevations, const Execution& execution)
+std::vector<double> tenthDifferences(const std::vector<glm::dvec2>& points, const std::vector<double>& elevations,
+  double patch, const Execution& execution)
 {
   // Only the generator itself is the same on every machine; distributions are not.
   std::mt19937 chance;
-  std::vector<unsigned char> tenth(points.size());
-  for (unsigned char& drawn : tenth)
+  std::map<std::pair<double, double>, int> tenthOf;
+  std::vector<int> tenth(points.size());
+  for (std::size_t place = 0; place < points.size(); ++place)
   {
-    drawn = static_cast<unsigned char>(chance() % Tenths);
+    const auto square = std::make_pair(std::floor(points[place].x / patch), std::floor(points[place].y / patch));
+    const auto [found, isNew] = tenthOf.emplace(square, 0);
+    found->second = isNew ? static_cast<int>(chance() % Tenths) : found->second;
+    tenth[place] = found->second;
   }
   std::vector<double> differences(points.size(), NotANumber);
   for (int out = 0; out < Tenths; ++out)

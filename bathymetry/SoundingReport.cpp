@@ -24,6 +24,26 @@ std::string words(const SoundingReport::LeftOut& error)
 
 }
 
+std::string SoundingReport::summary() const
+{
+  std::string line = std::to_string(this->used) + " about " + text(this->meanDistance, 3) + " m apart, on a grid of " +
+    text(this->spacing, 4) + " m by natural neighbours";
+  if (std::isfinite(this->maxGap))
+  {
+    line += "; holes where none is within " + text(this->maxGap, 3) + " m";
+  }
+  if (this->single.count > 0)
+  {
+    line += "; left-out error " + text(this->single.rms, 3) + " m rms";
+  }
+  if (this->outliers > 0)
+  {
+    line +=
+      "; " + std::to_string(this->outliers) + " outliers " + (this->outliersDropped ? "dropped" : "(--drop-outliers)");
+  }
+  return line;
+}
+
 std::vector<std::pair<std::string, std::string>> SoundingReport::lines() const
 {
   std::vector<std::pair<std::string, std::string>> result;
@@ -62,7 +82,8 @@ std::vector<std::pair<std::string, std::string>> SoundingReport::lines() const
   }
   if (this->tenth.count > 0)
   {
-    add("Cross-validation", words(this->tenth) + ", each tenth foretold by the others");
+    add("Cross-validation",
+      words(this->tenth) + ", each tenth foretold by the others, in patches of " + text(this->patch, 3) + " m");
   }
   return result;
 }

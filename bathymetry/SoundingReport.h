@@ -42,8 +42,12 @@ struct SoundingReport
   bool maxGapChosen = false;  ///< not asked for
   std::size_t holes = 0;      ///< nodes without an elevation
 
-  LeftOut single; ///< one sounding left out at a time, all in turn
-  LeftOut tenth;  ///< a tenth of them left out at a time, ten times
+  LeftOut single;     ///< one sounding left out at a time, all in turn
+  LeftOut tenth;      ///< a tenth of them left out at a time, ten times, in patches
+  double patch = 0.0; ///< side of these, m: the usual gap between soundings
+
+  /** One line: how many soundings, the grid, its holes and error. */
+  std::string summary() const;
 
   /** The report as label and text, in the order in which it is to be printed. */
   std::vector<std::pair<std::string, std::string>> lines() const;

@@ -53,7 +53,8 @@ std::string describeSource(const std::string& name, const swellray::SeafloorOpti
   words << '\n'
         << options.resample.value_or(0.0) << ' ' << options.smooth << ' ' << options.waterLevel << ' '
         << static_cast<int>(options.positive) << ' ' << options.nodata.has_value() << ' '
-        << options.nodata.value_or(0.0) << ' ' << options.maxGap.value_or(-1.0) << '\n'
+        << options.nodata.value_or(0.0) << ' ' << options.maxGap.value_or(-1.0) << ' ' << options.dropOutliers << ' '
+        << options.crossValidate << '\n'
         << options.crs << '\n'
         << options.variable;
   return words.str();
@@ -124,6 +125,8 @@ bool vtkSwellSeafloorReader::Load()
     {
       options.maxGap = this->MaxGap;
     }
+    options.dropOutliers = this->DropOutliers != 0;
+    options.crossValidate = this->CrossValidate != 0;
     const std::string source = describeSource(name, options);
     if (this->Kept && this->Kept->source == source)
     {
@@ -215,5 +218,7 @@ void vtkSwellSeafloorReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseNoData: " << (this->UseNoData ? "on" : "off") << "\n";
   os << indent << "NoData: " << this->NoData << "\n";
   os << indent << "MaxGap: " << this->MaxGap << "\n";
+  os << indent << "DropOutliers: " << (this->DropOutliers ? "on" : "off") << "\n";
+  os << indent << "CrossValidate: " << (this->CrossValidate ? "on" : "off") << "\n";
   os << indent << "Variable: " << (this->Variable ? this->Variable : "(none)") << "\n";
 }

@@ -17,7 +17,8 @@ struct SeafloorReport;
  *
  * Wraps swellray::readSeafloor and swellray::makeBuiltinSeafloor (what is read, how signs, units, places and gaps are
  * understood: there). FileName is any raster that GDAL reads, the grid of a wave model by the file that names the rest
- * of it, a UGRID mesh, an image file .vti with the point array Elevation, or a built-in form `NAME:key=value,...`.
+ * of it, a UGRID mesh, soundings (text or NetCDF), an image file .vti with the point array Elevation, or a built-in form
+ * `NAME:key=value,...`.
  *
  * Output: vtkImageData, one layer, x east, y north, metres, with
  * - point scalars Elevation (double, m, positive up; NaN: a hole)
@@ -83,7 +84,7 @@ public:
   ///@}
 
   ///@{
-  /** Node distance of the image, m; default 0: the file's own. */
+  /** Node distance of the image, m; default 0: the file's own, or about the mean distance of soundings. */
   vtkSetMacro(Resample, double);
   vtkGetMacro(Resample, double);
   ///@}
@@ -108,7 +109,10 @@ public:
   ///@}
 
   ///@{
-  /** Widest gap at the border of the grid that is filled, m; default -1: 5 cells. */
+  /**
+   * Widest gap at the border of the grid that is filled, m; default -1: 5 cells. Soundings: distance from all of them
+   * beyond which there is a hole; -1: from their density.
+   */
   vtkSetMacro(MaxGap, double);
   vtkGetMacro(MaxGap, double);
   ///@}
@@ -117,6 +121,20 @@ public:
   /** Variable of a NetCDF file, or number or description of a raster band; default: the only one that can be meant. */
   vtkSetStringMacro(Variable);
   vtkGetStringMacro(Variable);
+  ///@}
+
+  ///@{
+  /** Soundings: leave out those far off their natural neighbours; default off. */
+  vtkSetMacro(DropOutliers, vtkTypeBool);
+  vtkGetMacro(DropOutliers, vtkTypeBool);
+  vtkBooleanMacro(DropOutliers, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /** Soundings: measure the error by leaving out a tenth of them at a time, for the report; default off. */
+  vtkSetMacro(CrossValidate, vtkTypeBool);
+  vtkGetMacro(CrossValidate, vtkTypeBool);
+  vtkBooleanMacro(CrossValidate, vtkTypeBool);
   ///@}
 
 #ifndef __VTK_WRAP__
@@ -149,6 +167,8 @@ protected:
   vtkTypeBool UseNoData = 0;
   double NoData = 0.0;
   double MaxGap = -1.0;
+  vtkTypeBool DropOutliers = 0;
+  vtkTypeBool CrossValidate = 0;
   char* Variable = nullptr;
 
 private:

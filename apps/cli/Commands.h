@@ -10,6 +10,7 @@ namespace swellray::cli
 
 CommandSpec infoSpec(Request& request);
 CommandSpec contourSpec(Request& request);
+CommandSpec gridSpec(Request& request);
 CommandSpec traceSpec(Request& request);
 CommandSpec surfaceSpec(Request& request);
 CommandSpec renderSpec(Request& request);

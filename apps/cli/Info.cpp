@@ -88,6 +88,14 @@ nlohmann::ordered_json toJson(const SeafloorReport& report, const std::optional<
   json["no_data"] = { { "read", report.noDataRead }, { "filled", report.filled } };
   json["values"] = { { "units", report.units }, { "units_source", report.unitsSource }, { "sign", report.sign },
     { "sign_source", report.signSource } };
+  if (report.soundings)
+  {
+    const SoundingReport& soundings = *report.soundings;
+    json["soundings"] = { { "count", soundings.count }, { "missing", soundings.missing }, { "used", soundings.used },
+      { "duplicates", soundings.duplicates }, { "outliers", soundings.outliers }, { "cells", soundings.cells },
+      { "mean_distance_m", soundings.meanDistance }, { "max_gap_m", soundings.maxGap },
+      { "left_out", { { "rms_m", soundings.single.rms }, { "largest_m", soundings.single.largest } } } };
+  }
   json["notes"] = report.notes;
   return json;
 }

@@ -155,14 +155,17 @@ std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor)
     text("--crs", "CRS", "coordinate reference system of the file, as EPSG:28992, WKT or 'local'", "as the file says",
       group, seafloor.crs),
     crop,
-    number("--resample", "M", "resample to this spacing, m", "", group, seafloor.resample, PositiveMetres),
+    number("--resample", "M", "resample to this spacing, m", "soundings: about their distance", group,
+      seafloor.resample, PositiveMetres),
     number("--smooth", "M", "smooth by a Gaussian of this standard deviation, m", "0", group, seafloor.smooth,
       NonNegativeMetres),
     number(
       "--nodata", "V", "value that marks cells without data", "as the file says", group, seafloor.nodata, PlainNumber),
-    text("--variable", "NAME", "variable of a NetCDF file, or raster band", "the first that fits", group,
-      seafloor.variable),
-    number("--max-gap", "M", "fill gaps up to this width, m", "5 cells", group, seafloor.maxGap, NonNegativeMetres),
+    text("--variable", "NAME", "variable of a NetCDF file, raster band, or column of a table", "the first that fits",
+      group, seafloor.variable),
+    number("--max-gap", "M", "fill gaps up to this width, m; soundings: make holes this far from them",
+      "5 cells; soundings: from their distance", group, seafloor.maxGap, NonNegativeMetres),
+    flag("--drop-outliers", "leave out soundings far off their neighbours", group, seafloor.dropOutliers),
   };
 }
 

@@ -7,8 +7,16 @@ namespace swellray::cli
 
 std::vector<CommandSpec> commandSpecs(Request& request)
 {
-  return { infoSpec(request), contourSpec(request), traceSpec(request), surfaceSpec(request), renderSpec(request), validateSpec(request),
-    listSpec() };
+  return {
+    infoSpec(request),
+    contourSpec(request),
+    gridSpec(request),
+    traceSpec(request),
+    surfaceSpec(request),
+    renderSpec(request),
+    validateSpec(request),
+    listSpec(),
+  };
 }
 
 }

@@ -78,6 +78,8 @@ void setUp(vtkSwellSeafloorReader* reader, const SeafloorRequest& seafloor)
   {
     reader->SetMaxGap(*options.maxGap);
   }
+  reader->SetDropOutliers(options.dropOutliers);
+  reader->SetCrossValidate(options.crossValidate);
 }
 
 void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
@@ -193,7 +195,12 @@ vtkSwellSeafloorReader* Pipeline::readSeafloor(Notes notes)
   }
   if (notes == Notes::Say)
   {
-    for (const std::string& note : this->Reader->GetReport()->notes)
+    const SeafloorReport& report = *this->Reader->GetReport();
+    if (report.soundings)
+    {
+      this->Screen.say("soundings " + report.soundings->summary());
+    }
+    for (const std::string& note : report.notes)
     {
       this->Screen.say("note     " + note);
     }

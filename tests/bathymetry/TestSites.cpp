@@ -1,4 +1,5 @@
 #include "bathymetry/SeafloorReader.h"
+#include "sim/SplineSeafloor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -134,6 +135,54 @@ TEST_F(SitesTest, WesternAustraliaInTwoFormats)
   // The sea lies in the west: a mirrored grid would have it elsewhere.
   EXPECT_LT(tif.grid.at(5, 90), -10.0);
   EXPECT_GT(tif.grid.at(150, 90), 0.0);
+}
+
+TEST_F(SitesTest, WesternAustraliaFromItsSparseSoundings)
+{
+  // Every other place of the grid, in a table that calls longitude and latitude easting and northing.
+  const Bathymetry sparse = readSeafloor(site("wa_reef_au/myalup_bathy.xyz"));
+  const Bathymetry full = readSeafloor(site("wa_reef_au/myalup_bathy.tif"));
+  ASSERT_TRUE(sparse.report.soundings);
+  EXPECT_EQ(sparse.report.soundings->count, 7354u);
+  EXPECT_EQ(sparse.georeference.kind(), GeoreferenceKind::Geographic);
+  const SplineSeafloor bed(full.grid);
+  double squares = 0.0;
+  double count = 0.0;
+  for (std::size_t row = 0; row < sparse.grid.rows; ++row)
+  {
+    for (std::size_t column = 0; column < sparse.grid.columns; ++column)
+    {
+      const glm::dvec2 p = full.georeference.fromFile(sparse.georeference.toFile(sparse.grid.node(column, row)));
+      const double z = sparse.grid.at(column, row);
+      if (!std::isnan(z) && z < 0.0 && bed.bounds().contains(p) && !bed.isHole(p))
+      {
+        squares += (z - bed.elevation(p)) * (z - bed.elevation(p));
+        count += 1.0;
+      }
+    }
+  }
+  EXPECT_GT(count, 5500.0);
+  // The dunes are rougher than the seabed, so the error under water is below that of soundings left out anywhere.
+  EXPECT_LT(std::sqrt(squares / count), sparse.report.soundings->single.rms);
+}
+
+TEST_F(SitesTest, DuckSurveyAlongLines)
+{
+  const Bathymetry read = readSeafloor(site("duck_frf_nc/FRF_20170518_1134_FRF_NAVD88_LARC_GPS_UTC_v20170525.nc"));
+  ASSERT_TRUE(read.report.soundings);
+  EXPECT_EQ(read.report.soundings->count, 13654u);
+  EXPECT_EQ(read.report.signSource, "attribute geospatial_vertical_positive");
+  // The survey's range (its provenance), less what a mean over neighbours takes off.
+  EXPECT_NEAR(read.report.lowest, -15.3, 0.1);
+  EXPECT_NEAR(read.report.highest, 3.9, 0.2);
+  // Lines are 45 m apart and 90 m in places: the gaps between them are no holes. The outline, turned by 18 degrees, with
+  // two lines that reach farther out than the others, leaves less than half of the box empty.
+  EXPECT_GT(read.report.soundings->maxGap, 45.0);
+  EXPECT_GT(read.report.waterShare, 0.5);
+  // The sea lies in the east.
+  const glm::dvec2 sea = read.georeference.fromFile({ -75.738, 36.1845 });
+  const glm::dvec2 index = (sea - read.grid.origin) / read.grid.spacing;
+  EXPECT_LT(read.grid.at(static_cast<std::size_t>(index.x), static_cast<std::size_t>(index.y)), -8.0);
 }
 
 TEST_F(SitesTest, Hawaii)
