@@ -36,7 +36,6 @@ struct SeafloorReport
   bool resampled = false;
   double scaleError = 0.0; ///< largest |map length / true length - 1|
 
-
   double waterLevel = 0.0; ///< m
   double lowest = 0.0;     ///< elevation, m
   double highest = 0.0;    ///< elevation, m
