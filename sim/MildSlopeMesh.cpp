@@ -169,9 +169,8 @@ void MildSlopeMesh::setMedia(const Seafloor& seafloor, double waterLevel, const 
           const glm::dvec2 middle = this->place(i, j) + 0.5 * this->Spacing;
           const double depth = waterLevel - seafloor.elevation(middle);
           const bool water = depth >= minDepth && !seafloor.isHole(middle);
-          const glm::dvec2 corner = this->place(i, j);
           const std::optional<double> wall =
-            options.wall ? options.wall({ corner, corner + this->Spacing }) : std::nullopt;
+            options.wall ? options.wall({ this->place(i, j), this->place(i + 1, j + 1) }) : std::nullopt;
           const double reflection = wall.value_or(options.coastReflection);
           medium.kind = wall ? Kind::Wall : (water ? Kind::Water : Kind::Coast);
           medium.admittance = (1.0 - reflection) / (1.0 + reflection);

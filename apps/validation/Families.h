@@ -16,5 +16,6 @@ std::vector<Case> breakingCases();
 std::vector<Case> currentCases();
 std::vector<Case> gridCases();
 std::vector<Case> schemeCases();
+std::vector<Case> mildSlopeCases();
 
 }
