@@ -35,8 +35,8 @@ vtkSmartPointer<vtkDataArray> makeArray(const char* name, const std::vector<Valu
 
 }
 
-SurfaceScene::SurfaceScene(
-  vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed, vtkAlgorithm* algorithm)
+SurfaceScene::SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed,
+  bool straight, vtkAlgorithm* algorithm)
   : Bed(std::move(seafloor))
 {
   const IncidentWave wave = tracedWave(rays);
@@ -61,6 +61,13 @@ SurfaceScene::SurfaceScene(
   const SurfaceSheet& sheet = *this->Sheet;
   this->Surface = std::make_unique<WaveSurface>(sheet, *this->Bed, this->Options, makeExecution(algorithm, 0.3, 0.5));
 
+  if (straight)
+  {
+    // As fine as the points along the rays are at least.
+    const double spacing = this->Options.wavelength / pointsPerWave;
+    this->Surface->setPhase(StraightPhase(*this->Bed, wave, this->Options.waterLevel, spacing));
+  }
+
   const auto triangles = static_cast<vtkIdType>(sheet.Triangles.size());
   vtkNew<vtkTypeInt64Array> offsets;
   offsets->SetNumberOfValues(triangles + 1);
@@ -77,10 +84,12 @@ SurfaceScene::SurfaceScene(
   this->Triangles = vtkSmartPointer<vtkCellArray>::New();
   this->Triangles->SetData(offsets, connectivity);
 
+  std::vector<double> phase(sheet.pointCount());
   std::vector<double> breakingPhase(sheet.pointCount());
   std::vector<double> launchParameter(sheet.pointCount(), 0.0);
   for (std::size_t i = 0; i < breakingPhase.size(); ++i)
   {
+    phase[i] = this->Surface->phase(i);
     breakingPhase[i] = this->Surface->breakingPhase(i);
   }
   for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
@@ -92,7 +101,7 @@ SurfaceScene::SurfaceScene(
   {
     launchParameter[sheet.rayPointCount() + i] = launchParameter[static_cast<std::size_t>(sheet.BeachBase[i])];
   }
-  this->Arrays = { makeArray<vtkDoubleArray>("RayPhase", sheet.Phase),
+  this->Arrays = { makeArray<vtkDoubleArray>("RayPhase", phase),
     makeArray<vtkDoubleArray>("BreakingPhase", breakingPhase),
     makeArray<vtkDoubleArray>("LaunchParameter", launchParameter),
     makeArray<vtkDoubleArray>("WaveHeight", sheet.Height), makeArray<vtkUnsignedCharArray>("RayState", sheet.State) };

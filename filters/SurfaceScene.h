@@ -23,11 +23,12 @@ class SurfaceScene
 public:
   /**
    * @param rays output of vtkSwellWaveHeight
+   * @param straight the phase of Peachey 1986 in place of the traced one
    * @param algorithm gets the progress, from 0 to 0.5
    * @throws std::invalid_argument naming what is missing; std::runtime_error as SurfaceSheet
    */
   SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed,
-    vtkAlgorithm* algorithm);
+    bool straight, vtkAlgorithm* algorithm);
 
   const SurfaceSheet& sheet() const { return *this->Sheet; }
   const WaveSurface& surface() const { return *this->Surface; }

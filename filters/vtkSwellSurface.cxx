@@ -131,14 +131,17 @@ int vtkSwellSurface::RequestData(
     const auto section = swellray::makeWaveSection(this->Section);
     const double pointsPerWave = this->PointsPerWave > 0.0 ? this->PointsPerWave : section->pointsPerWave();
     if (!this->Scene || this->SceneOf[0] != rays->GetMTime() || this->SceneOf[1] != image->GetMTime() ||
-      this->ScenePointsPerWave != pointsPerWave || this->SceneSeed != this->Seed)
+      this->ScenePointsPerWave != pointsPerWave || this->SceneSeed != this->Seed ||
+      this->ScenePhaseRule != this->PhaseRule)
     {
       this->Scene = std::make_unique<const swellray::SurfaceScene>(rays,
-        this->Seafloor->get(image, this->GetInputArrayToProcess(0, inputVector)), pointsPerWave, this->Seed, this);
+        this->Seafloor->get(image, this->GetInputArrayToProcess(0, inputVector)), pointsPerWave, this->Seed,
+        this->PhaseRule == STRAIGHT, this);
       this->SceneOf[0] = rays->GetMTime();
       this->SceneOf[1] = image->GetMTime();
       this->ScenePointsPerWave = pointsPerWave;
       this->SceneSeed = this->Seed;
+      this->ScenePhaseRule = this->PhaseRule;
     }
     this->UpdateProgress(0.5);
     if (this->GetAbortExecute())
@@ -206,6 +209,7 @@ void vtkSwellSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Section: " << this->Section << "\n";
+  os << indent << "PhaseRule: " << (this->PhaseRule == STRAIGHT ? "straight" : "traced") << "\n";
   os << indent << "PointsPerWave: " << this->PointsPerWave << "\n";
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "TimeRange: " << this->TimeRange[0] << ", " << this->TimeRange[1] << "\n";

@@ -28,7 +28,7 @@ class SurfaceScene;
  * - Velocity (float, 3 components, m/s): of its particles
  * - Depth (double, m): of the bed below still water under the displaced point; negative on the beach
  * - Phase (double, rad): Phi = S - omega t; crests are at 2 pi n
- * - RayPhase (double, rad): S, the phase that was traced; BreakingPhase (double, rad): S where the breaking that the
+ * - RayPhase (double, rad): S, the phase that was traced, or the straight one; BreakingPhase (double, rad): S where the breaking that the
  *   point lies in began, NaN where waves are not broken; LaunchParameter (double, m): of the ray
  * - WaveHeight (double, m)
  * - Breaking (unsigned char): 1 where the wave that is there now is broken
@@ -51,6 +51,23 @@ public:
   /** Vertical section, NAME or NAME:key=value,... (swellray::makeWaveSection); default gonzato-lesaec. */
   vtkSetMacro(Section, std::string);
   vtkGetMacro(Section, std::string);
+  ///@}
+
+  enum PhaseRules
+  {
+    TRACED = 0,
+    STRAIGHT = 1
+  };
+
+  ///@{
+  /**
+   * Phase of the waves: the traced one (default), or integrated along straight lines as Peachey 1986 has it, for
+   * comparison (swellray::StraightPhase). With it no wave curls.
+   */
+  vtkSetClampMacro(PhaseRule, int, TRACED, STRAIGHT);
+  vtkGetMacro(PhaseRule, int);
+  void SetPhaseRuleToTraced() { this->SetPhaseRule(TRACED); }
+  void SetPhaseRuleToStraight() { this->SetPhaseRule(STRAIGHT); }
   ///@}
 
   ///@{
@@ -109,6 +126,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   std::string Section = "gonzato-lesaec";
+  int PhaseRule = TRACED;
   double PointsPerWave = 0.0;
   double Time = 0.0;
   double TimeRange[2] = { 0.0, 60.0 };
@@ -127,6 +145,7 @@ private:
   vtkMTimeType SceneOf[2] = { 0, 0 };
   double ScenePointsPerWave = 0.0;
   int SceneSeed = 0;
+  int ScenePhaseRule = TRACED;
 };
 
 #endif

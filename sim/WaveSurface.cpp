@@ -114,6 +114,20 @@ WaveSurface::WaveSurface(
     });
 }
 
+void WaveSurface::setPhase(const StraightPhase& phase)
+{
+  this->OwnPhase.resize(this->Sheet.pointCount());
+  for (std::size_t i = 0; i < this->OwnPhase.size(); ++i)
+  {
+    this->OwnPhase[i] = phase.at({ this->Sheet.Position[3 * i], this->Sheet.Position[3 * i + 1] });
+  }
+}
+
+double WaveSurface::phase(std::size_t point) const
+{
+  return this->OwnPhase.empty() ? this->Sheet.Phase[point] : this->OwnPhase[point];
+}
+
 double WaveSurface::breakingPhase(std::size_t point) const
 {
   if (!this->Sheet.Breaking[point])
@@ -129,7 +143,7 @@ double WaveSurface::breakingPhase(std::size_t point) const
   const auto ray = static_cast<std::size_t>(after - this->Sheet.Offsets.begin()) - 1;
   const double phase = this->Sheet.Phase[point];
   const BreakingStretch* stretch = this->Histories[ray].stretchAt(phase);
-  return stretch ? stretch->begin : phase;
+  return this->phase(point) + (stretch ? stretch->begin - phase : 0.0);
 }
 
 CrestState WaveSurface::crestOf(std::size_t ray, double phase, double delay) const
@@ -150,7 +164,14 @@ void WaveSurface::displace(
     {
       for (std::size_t ray = begin; ray < end; ++ray)
       {
-        this->displaceRay(ray, time, section, arrays);
+        if (this->OwnPhase.empty())
+        {
+          this->displaceRay(ray, time, section, arrays);
+        }
+        else
+        {
+          this->displaceByOwnPhase(ray, time, section, arrays);
+        }
       }
     });
   // What lies on the beach stays there.
@@ -167,8 +188,40 @@ void WaveSurface::displace(
     this->place(still, arrays);
     if (arrays.phase)
     {
-      arrays.phase[i] = this->Sheet.Phase[i] - omega * time;
+      arrays.phase[i] = this->phase(i) - omega * time;
     }
+  }
+}
+
+void WaveSurface::displaceByOwnPhase(
+  std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const
+{
+  const SurfaceSheet& sheet = this->Sheet;
+  Run run;
+  run.omega = 2.0 * Pi / this->Options.period;
+  run.count = 1;
+  const auto last = static_cast<std::size_t>(sheet.Offsets[ray + 1]);
+  for (std::size_t i = static_cast<std::size_t>(sheet.Offsets[ray]); i < last; ++i)
+  {
+    const double phase = this->OwnPhase[i] - run.omega * time;
+    run.first = i;
+    run.phase[0] = phase - 2.0 * Pi * std::round(phase / (2.0 * Pi));
+    CrestState crest;
+    crest.height = sheet.Height[i];
+    crest.wavenumber = sheet.Wavenumber[i];
+    crest.depth = sheet.Depth[i];
+    crest.slope = sheet.Slope[i];
+    crest.ripeness = this->Ripeness[i];
+    section.displace(crest,
+      { 1, run.phase.data(), &sheet.Height[i], &sheet.Wavenumber[i], &sheet.Depth[i], &sheet.Slope[i],
+        &this->Ripeness[i] },
+      { run.along.data(), run.up.data(), run.alongRate.data(), run.upRate.data() });
+    run.broken = sheet.Breaking[i] != 0;
+    if (arrays.phase)
+    {
+      arrays.phase[i] = phase;
+    }
+    this->place(run, arrays);
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/Execution.h"
+#include "sim/StraightPhase.h"
 #include "sim/SurfHistory.h"
 #include "sim/SurfaceSheet.h"
 #include "sim/sections/WaveSection.h"
@@ -62,6 +63,15 @@ public:
   void displace(
     double time, const WaveSection& section, const SurfaceArrays& arrays, const Execution& execution = {}) const;
 
+  /**
+   * Move the surface by another phase than the traced one (Peachey 1986): crests are then where it is a multiple of 2 pi,
+   * every point is taken by itself, and no wave breaks.
+   */
+  void setPhase(const StraightPhase& phase);
+
+  /** Phase S by which a point of the sheet moves. */
+  double phase(std::size_t point) const;
+
   /** Phase S at which the breaking that a point of the sheet lies in began; NaN where waves are not broken. */
   double breakingPhase(std::size_t point) const;
 
@@ -69,6 +79,7 @@ private:
   struct Run;
 
   void displaceRay(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
+  void displaceByOwnPhase(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
   CrestState crestOf(std::size_t ray, double phase, double delay) const;
   void place(const Run& run, const SurfaceArrays& arrays) const;
 
@@ -78,6 +89,7 @@ private:
   std::vector<SurfHistory> Histories; // one a ray
   std::vector<double> Ripeness;       // one a point of a ray
   double ShoreDepth = 0.0;            // of points aground
+  std::vector<double> OwnPhase;       // one a point, where it is not the traced one; else empty
 };
 
 }

@@ -134,6 +134,7 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
 void setUp(vtkSwellSurface* surface, const SurfaceRequest& options)
 {
   surface->SetSection(options.profile);
+  surface->SetPhaseRule(options.straightPhase ? vtkSwellSurface::STRAIGHT : vtkSwellSurface::TRACED);
   surface->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
   surface->SetSeed(options.seed);
 }

@@ -108,6 +108,7 @@ struct TimeSeries
 struct SurfaceRequest
 {
   std::string profile = "gonzato-lesaec"; ///< vertical section, NAME:key=value,...
+  bool straightPhase = false;             ///< Peachey's, in place of the traced one
   std::optional<double> time;             ///< s
   std::optional<TimeSeries> times;        ///< frames of a series
   std::optional<double> pointsPerWave;    ///< none: as many as the section asks for
