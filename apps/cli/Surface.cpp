@@ -238,8 +238,10 @@ CommandSpec surfaceSpec(Request& request)
   { surface.seed = static_cast<int>(parseWhole("--seed", typed, 0, 2'000'000'000)); };
   spec.options = { outputFile("-o,--output", "surface, .vtp, or series, .pvd", request.output.file, { ".vtp", ".pvd" }),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress),
-    profileOption(surface), number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),
-    timesOption(surface), points,
+    profileOption(surface),
+    choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
+      surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
+    number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }), timesOption(surface), points,
     number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed };
   add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
   add(spec.options, rayOptions(request.rays));

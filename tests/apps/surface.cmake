@@ -17,3 +17,4 @@ swellray_cli_test(surface_series 0 "^3\n3\n$" "warning: the seafloor grid|^$"
 # A series goes on where it was: whole frames stay, a damaged one is made again, and so is one of another call.
 swellray_cli_test(surface_resumes 0 "2 kept.*0 kept" "warning: the seafloor grid|^$"
   "run() { $SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.5 -o s.pvd \"$@\" | grep frames; } && run >/dev/null && head -c 500 s/s_000001.vtp > t && mv t s/s_000001.vtp && run && run --seed 2")
+swellray_cli_test(surface_straight 0 "" "warning: the seafloor grid|^$" "${surface} --profile peachey --phase straight -o s.vtp")

@@ -267,6 +267,30 @@ TEST(Surface, reachesTheBeachWithoutAGapAndCarriesNothingPastIt)
   }
 }
 
+TEST(Surface, straightPhaseIsAnOption)
+{
+  Scene scene;
+  scene.Surface->SetSection("airy");
+  scene.Surface->Update();
+  const auto traced = Scene::copy(scene.Surface->GetOutput()->GetPointData()->GetArray("RayPhase"));
+  const auto height = Scene::copy(scene.Surface->GetOutput()->GetPointData()->GetArray("WaveHeight"));
+  scene.Surface->SetPhaseRuleToStraight();
+  scene.Foam->Update();
+  vtkPolyData* surface = scene.Foam->GetOutput();
+  const auto straight = Scene::copy(surface->GetPointData()->GetArray("RayPhase"));
+  EXPECT_NE(traced, straight);
+  vtkDataArray* depth = surface->GetPointData()->GetArray("Depth");
+  for (std::size_t i = 0; i < straight.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    if (depth->GetComponent(id, 0) > 2.0)
+    {
+      // A crest stands where it is a multiple of 2 pi; positions are doubles.
+      ASSERT_NEAR(surface->GetPoint(id)[2], 0.5 * height[i] * std::cos(straight[i]), 1e-9);
+    }
+  }
+}
+
 TEST(Surface, pointsPerWaveFollowTheSectionOrTheSetting)
 {
   Scene scene;
