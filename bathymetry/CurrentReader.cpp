@@ -83,6 +83,7 @@ FileGrid readComponent(const RasterSource& source, bool longitudes)
 {
   const RasterHeader& header = source.header();
   const RasterWindow window = selectWindow(header, {}, longitudes);
+  limitNodes(window.columns, window.rows);
   FileGrid file;
   file.values.columns = window.columns;
   file.values.rows = window.rows;

@@ -142,12 +142,17 @@ RasterWindow selectWindow(const RasterHeader& header, const std::optional<std::a
     window.columns = static_cast<std::size_t>(high.x - low.x) + 1;
     window.rows = static_cast<std::size_t>(high.y - low.y) + 1;
   }
-  if (window.columns > MostNodes / window.rows)
-  {
-    throw std::runtime_error("it has " + std::to_string(window.columns) + " x " + std::to_string(window.rows) +
-      " cells, above the limit of " + std::to_string(MostNodes / 1000000) + " million; read a part of it with --crop");
-  }
   return window;
+}
+
+void limitNodes(std::size_t columns, std::size_t rows)
+{
+  if (columns > MostNodes / rows)
+  {
+    throw std::runtime_error("it has " + std::to_string(columns) + " x " + std::to_string(rows) +
+      " cells, above the limit of " + std::to_string(MostNodes / 1000000) +
+      " million; read a part of it with --crop, or coarser with --resample");
+  }
 }
 
 }

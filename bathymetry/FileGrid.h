@@ -46,6 +46,9 @@ struct FileGrid
 RasterWindow selectWindow(
   const RasterHeader& header, const std::optional<std::array<double, 4>>& crop, bool longitudes);
 
+/** @throws std::runtime_error where a grid to be read has more than MostNodes */
+void limitNodes(std::size_t columns, std::size_t rows);
+
 /** Fewest nodes along each axis: what a cubic spline needs. */
 constexpr std::size_t FewestNodes = 4;
 

@@ -6,6 +6,7 @@
 
 #include <gdal_priv.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -78,6 +79,7 @@ void GdalRaster::selectBand(const std::string& variable)
                                               : "it has no band '" + variable + "'; there are: " + names);
   }
   this->Band = this->Dataset->GetRasterBand(chosen);
+  this->Pixels = this->Band;
   this->Header.variable = this->Band->GetDescription();
   if (this->Header.variable.empty())
   {
@@ -141,6 +143,42 @@ void GdalRaster::readMeaning()
   }
 }
 
+bool GdalRaster::useOverview(double factor)
+{
+  const QuietGdal quiet;
+  RasterHeader& header = this->Header;
+  GDALRasterBand* best = nullptr;
+  glm::dvec2 ratio(1.0);
+  for (int i = 0; i < this->Band->GetOverviewCount(); ++i)
+  {
+    GDALRasterBand* const overview = this->Band->GetOverview(i);
+    if (!overview || overview->GetXSize() < 1 || overview->GetYSize() < 1)
+    {
+      continue;
+    }
+    const glm::dvec2 own(static_cast<double>(this->Band->GetXSize()) / overview->GetXSize(),
+      static_cast<double>(this->Band->GetYSize()) / overview->GetYSize());
+    if (std::max(own.x, own.y) <= factor && own.x > ratio.x)
+    {
+      best = overview;
+      ratio = own;
+    }
+  }
+  if (!best)
+  {
+    return false;
+  }
+  const glm::dvec2 corner = header.first - 0.5 * (header.columnStep + header.rowStep);
+  header.columns = static_cast<std::size_t>(best->GetXSize());
+  header.rows = static_cast<std::size_t>(best->GetYSize());
+  header.columnStep *= ratio.x;
+  header.rowStep *= ratio.y;
+  header.first = corner + 0.5 * (header.columnStep + header.rowStep);
+  header.notes.push_back("read from its overview of 1:" + text(ratio.x, 3));
+  this->Pixels = best;
+  return true;
+}
+
 std::vector<double> GdalRaster::read(const RasterWindow& window, double nodata) const
 {
   const QuietGdal quiet;
@@ -150,7 +188,7 @@ std::vector<double> GdalRaster::read(const RasterWindow& window, double nodata) 
   const int rows = static_cast<int>(window.rows);
   std::vector<double> values(window.columns * window.rows);
   const CPLErr done =
-    this->Band->RasterIO(GF_Read, x, y, columns, rows, values.data(), columns, rows, GDT_Float64, 0, 0, nullptr);
+    this->Pixels->RasterIO(GF_Read, x, y, columns, rows, values.data(), columns, rows, GDT_Float64, 0, 0, nullptr);
   if (done != CE_None || QuietGdal::failed())
   {
     throw std::runtime_error("its values cannot be read: " + QuietGdal::lastError("no reason given"));
@@ -175,11 +213,11 @@ std::vector<double> GdalRaster::read(const RasterWindow& window, double nodata) 
                            : value * (hasScale ? scale : 1.0) + (hasOffset ? offset : 0.0);
   }
 
-  const int flags = this->Band->GetMaskFlags();
+  const int flags = this->Pixels->GetMaskFlags();
   if ((flags & GMF_PER_DATASET) && !(flags & GMF_ALPHA))
   {
     std::vector<unsigned char> mask(values.size());
-    if (this->Band->GetMaskBand()->RasterIO(
+    if (this->Pixels->GetMaskBand()->RasterIO(
           GF_Read, x, y, columns, rows, mask.data(), columns, rows, GDT_Byte, 0, 0, nullptr) != CE_None)
     {
       throw std::runtime_error("its mask cannot be read: " + QuietGdal::lastError("no reason given"));

@@ -16,6 +16,7 @@ public:
   ~GdalRaster() override;
 
   std::vector<double> read(const RasterWindow& window, double nodata) const override;
+  bool useOverview(double factor) override;
 
 private:
   void selectBand(const std::string& variable);
@@ -23,7 +24,8 @@ private:
   void readMeaning();
 
   std::unique_ptr<GDALDataset> Dataset;
-  GDALRasterBand* Band = nullptr;
+  GDALRasterBand* Band = nullptr;   // what its values mean
+  GDALRasterBand* Pixels = nullptr; // its values: itself or one of its overviews
 };
 
 }

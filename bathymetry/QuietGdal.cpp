@@ -2,6 +2,7 @@
 
 #include "bathymetry/Text.h"
 
+#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal.h>
 
@@ -10,11 +11,27 @@
 namespace swellray
 {
 
+namespace
+{
+
+constexpr GIntBig CacheSize = 134217728; // bytes
+
+}
+
 QuietGdal::QuietGdal()
 {
   static std::once_flag registered;
   CPLPushErrorHandler(CPLQuietErrorHandler);
-  std::call_once(registered, GDALAllRegister);
+  std::call_once(registered,
+    []
+    {
+      GDALAllRegister();
+      // Each block is read once, so a share of the machine's memory, which is GDAL's own choice, buys nothing.
+      if (!CPLGetConfigOption("GDAL_CACHEMAX", nullptr))
+      {
+        GDALSetCacheMax64(CacheSize);
+      }
+    });
   CPLErrorReset();
 }
 

@@ -57,6 +57,17 @@ public:
    */
   virtual std::vector<double> read(const RasterWindow& window, double nodata) const = 0;
 
+  /**
+   * Read from now on from the coarsest copy that the file has of itself (an overview) whose cells are at most `factor`
+   * times as large; the header changes with it.
+   * @return false, and nothing changed, where there is none
+   */
+  virtual bool useOverview(double factor)
+  {
+    static_cast<void>(factor);
+    return false;
+  }
+
 protected:
   RasterHeader Header;
 };

@@ -6,6 +6,7 @@
 #include "bathymetry/FillGaps.h"
 #include "bathymetry/GridSoundings.h"
 #include "bathymetry/ModelFiles.h"
+#include "bathymetry/RasterElevations.h"
 #include "bathymetry/RasterSource.h"
 #include "bathymetry/SmoothGrid.h"
 #include "bathymetry/SoundingsReader.h"
@@ -48,65 +49,6 @@ std::string wordsForRange(const ElevationGrid& grid)
     }
   }
   return text(lowest) + " to " + text(highest) + " m";
-}
-
-FileGrid readElevations(
-  const RasterSource& source, const SeafloorOptions& options, bool longitudes, const VerticalMeaning& meaning)
-{
-  const RasterHeader& header = source.header();
-  const RasterWindow window = selectWindow(header, options.crop, longitudes);
-  FileGrid file;
-  file.values.columns = window.columns;
-  file.values.rows = window.rows;
-  file.values.elevation = source.read(window, options.nodata.value_or(std::numeric_limits<double>::quiet_NaN()));
-  file.first = header.node(static_cast<double>(window.firstColumn), static_cast<double>(window.firstRow));
-  file.columnStep = header.columnStep;
-  file.rowStep = header.rowStep;
-  bool any = false;
-  for (double& z : file.values.elevation)
-  {
-    z *= meaning.factor;
-    any = any || !std::isnan(z);
-    if (std::abs(z) > FarthestElevation)
-    {
-      throw std::runtime_error("it has an elevation of " + text(z) +
-        " m, farther from the sea's level than any place " + "on Earth; if " + text(z / meaning.factor) +
-        " marks missing data, say --nodata " + text(z / meaning.factor, 17));
-    }
-  }
-  if (!any)
-  {
-    throw std::runtime_error("it has no data: every cell that was read is marked as missing");
-  }
-  if (file.axisAligned())
-  {
-    file.ascend();
-  }
-  return file;
-}
-
-// Root mean square of the slopes between neighbours, metres a unit of the file.
-double rmsSlope(const FileGrid& file)
-{
-  const ElevationGrid& z = file.values;
-  const double along = std::hypot(file.columnStep.x, file.columnStep.y);
-  const double across = std::hypot(file.rowStep.x, file.rowStep.y);
-  double squares = 0.0;
-  double count = 0.0;
-  for (std::size_t row = 0; row + 1 < z.rows; ++row)
-  {
-    for (std::size_t column = 0; column + 1 < z.columns; ++column)
-    {
-      const double a = (z.at(column + 1, row) - z.at(column, row)) / along;
-      const double b = (z.at(column, row + 1) - z.at(column, row)) / across;
-      if (!std::isnan(a + b))
-      {
-        squares += a * a + b * b;
-        count += 1.0;
-      }
-    }
-  }
-  return count > 0.0 ? std::sqrt(squares / count) : 0.0;
 }
 
 // A mark for missing data that the file does not declare looks like a deep sea.
@@ -215,25 +157,28 @@ Bathymetry readScattered(
 }
 
 Bathymetry readRaster(
-  const std::string& path, const RasterSource& source, const SeafloorOptions& options, const Execution& execution)
+  const std::string& path, RasterSource& source, const SeafloorOptions& options, const Execution& execution)
 {
   Bathymetry result;
   SeafloorReport& said = result.report;
   const RasterHeader& header = source.header();
   const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
-  FileGrid file = readElevations(source, options, isLongitudes(options.crs, header.crs), meaning);
-  report(execution, 0.3);
-
   said.path = path;
   said.driver = header.driver;
   said.variable = header.variable;
   said.fileColumns = header.columns;
   said.fileRows = header.rows;
+  Execution first = execution;
+  first.progress = [&execution](double share) { return execution.report(0.3 * share); };
+  std::vector<std::string> averaged;
+  FileGrid file = readElevations(source, options, meaning, averaged, first);
+  report(execution, 0.3);
   said.readColumns = file.values.columns;
   said.readRows = file.values.rows;
   said.fileExtent = file.extent();
   said.fileSpacing = { std::hypot(file.columnStep.x, file.columnStep.y), std::hypot(file.rowStep.x, file.rowStep.y) };
   said.notes = header.notes;
+  said.notes.insert(said.notes.end(), averaged.begin(), averaged.end());
   said.notes.insert(said.notes.end(), meaning.notes.begin(), meaning.notes.end());
   noteLikelyMark(file, meaning, said.notes);
   requireWater(file.values, options, meaning);
