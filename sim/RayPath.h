@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/Current.h"
+#include "sim/MapScale.h"
 #include "sim/Obstacles.h"
 #include "sim/RayField.h"
 #include "sim/Seafloor.h"
@@ -10,7 +11,11 @@
 namespace swellray
 {
 
-/** What a ray travels through. */
+/**
+ * What a ray travels through. On a map of the curved Earth positions are those on the map, and so are the lengths of
+ * the seafloor and the current as functions of them; all other quantities (depths, speeds, wavenumbers, ways, widths)
+ * are true ones.
+ */
 struct RayMedium
 {
   const Seafloor* seafloor = nullptr;
@@ -20,11 +25,18 @@ struct RayMedium
   double agroundDepth = 0.1;            ///< a ray ends where it gets shallower than this, m, > 0
   const Current* current = nullptr;     ///< none: still water
   const Obstacles* obstacles = nullptr; ///< none: nothing stands in the water
+  const MapScale* map = nullptr;        ///< none: the plane is true to scale
 
   double depth(const glm::dvec2& p) const { return waterLevel - seafloor->elevation(p); }
+
+  /** Map length over true length at a point. */
+  double scale(const glm::dvec2& p) const { return map ? map->scale(p) : 1.0; }
 };
 
-/** Initial state of a ray. The derivatives by the launch parameter lambda describe the ray tube. */
+/**
+ * Initial state of a ray. The derivatives by the launch parameter lambda describe the ray tube. Of a map it is the state
+ * on the map: wavenumbers are the true ones over the map's scale.
+ */
 struct RayStart
 {
   glm::dvec2 position{ 0.0 };      ///< m

@@ -291,13 +291,16 @@ glm::dvec2 SplineSeafloor::cell(const glm::dvec2& p) const
 
 std::vector<glm::dvec2> SplineSeafloor::outline() const
 {
-  if (this->HoleCell.empty())
-  {
-    return this->Seafloor::outline();
-  }
+  return this->HoleCell.empty()
+    ? this->Seafloor::outline()
+    : insetConvex(convexHull(this->dataCorners()), 1.5 * this->cellSize(), this->Bounds);
+}
+
+std::vector<glm::dvec2> SplineSeafloor::dataCorners() const
+{
   // The first and last cell of a row hold the corners of the hull.
   std::vector<glm::dvec2> corners;
-  for (std::size_t j = 0; j < this->CellRows; ++j)
+  for (std::size_t j = 0; !this->HoleCell.empty() && j < this->CellRows; ++j)
   {
     const auto row = this->HoleCell.begin() + static_cast<std::ptrdiff_t>(j * this->CellColumns);
     const auto end = row + static_cast<std::ptrdiff_t>(this->CellColumns);
@@ -318,7 +321,7 @@ std::vector<glm::dvec2> SplineSeafloor::outline() const
       }
     }
   }
-  return insetConvex(convexHull(std::move(corners)), 1.5 * this->cellSize(), this->Bounds);
+  return corners;
 }
 
 bool SplineSeafloor::isHole(const glm::dvec2& p) const

@@ -36,6 +36,8 @@ public:
   double cellSize() const override { return this->Spacing.x > this->Spacing.y ? this->Spacing.x : this->Spacing.y; }
   /** With holes: the convex hull of the cells with data, one and a half cells further in where it cuts cells. */
   std::vector<glm::dvec2> outline() const override;
+  /** With holes: corners of cells with data, among them all corners of the convex hull of these cells. */
+  std::vector<glm::dvec2> dataCorners() const;
   bool hasHoles() const override { return !this->HoleCell.empty(); }
   bool isHole(const glm::dvec2& p) const override;
   /**
