@@ -38,7 +38,7 @@ bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
   }
   const Ray& a = this->standing(at);
   const Ray& b = this->standing(at + 1);
-  if (a.waiting || b.waiting || !(glm::length(b.place.position - a.place.position) > this->MaxSpacing) ||
+  if (a.waiting || b.waiting || !(this->distance(a.place, b.place) > this->MaxSpacing) ||
     (this->Medium.obstacles && this->Medium.obstacles->crosses(a.place.position, b.place.position)))
   {
     return false;
@@ -98,7 +98,7 @@ std::optional<RayStart> FrontMarch::startBetween(const Ray& a, const Ray& b) con
   {
     return {};
   }
-  const double k = *found;
+  const double k = *found / this->Medium.scale(start.position);
   start.wavenumber = k * direction;
   // The tube between the two, by differences.
   const double gap = b.info.launchParameter - a.info.launchParameter;

@@ -182,7 +182,8 @@ void FrontMarch::launchAll()
         ray.measure = this->measureOf(start);
         RayPoint& point = ray.between[0];
         ray.path->advance(this->Measure, ray.measure, point);
-        point.spacingWidth = point.rayDirection.x * start.dPosition.y - point.rayDirection.y * start.dPosition.x;
+        point.spacingWidth = (point.rayDirection.x * start.dPosition.y - point.rayDirection.y * start.dPosition.x) /
+          this->Medium.scale(start.position);
         point.front = BetweenFronts;
         point.state = RayState::Alive;
         ray.betweenCount = 1;
@@ -326,6 +327,8 @@ void FrontMarch::settleShore()
   const double closed = 2.0 * this->shoreStep();
   const auto aground = [&](std::size_t i) { return this->standing(i).state == RayState::Aground; };
   const auto place = [&](std::size_t i) { return this->standing(i).place.position; };
+  const auto apart = [&](std::size_t i, std::size_t j)
+  { return this->distance(this->standing(i).place, this->standing(j).place); };
   std::vector<bool> dead(count, false);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -334,13 +337,13 @@ void FrontMarch::settleShore()
     if (left && right && !this->standing(i).waiting)
     {
       // A ray on the water ends only when the shore has closed in on it.
-      dead[i] = aground(i) || glm::length(place(i + 1) - place(i - 1)) < closed;
+      dead[i] = aground(i) || apart(i - 1, i + 1) < closed;
     }
     else if (right && aground(i))
     {
       // Two that meet behind an island have closed the front. What ran aground between them does not come back.
       const glm::dvec2 way = place(i + 1) - place(i);
-      if (glm::length(way) < closed && glm::dot(this->standing(i).walk.direction(), way) > 0.0 &&
+      if (apart(i, i + 1) < closed && glm::dot(this->standing(i).walk.direction(), way) > 0.0 &&
         glm::dot(this->standing(i + 1).walk.direction(), way) < 0.0)
       {
         dead[i] = true;
@@ -390,6 +393,11 @@ const FrontMarch::Ray* FrontMarch::neighbour(std::size_t at, int step, const Ray
   return shares && !other.waiting ? &other : nullptr;
 }
 
+double FrontMarch::distance(const RayPoint& a, const RayPoint& b) const
+{
+  return glm::length(b.position - a.position) / this->Medium.scale(0.5 * (a.position + b.position));
+}
+
 double FrontMarch::spacingWidth(std::size_t at) const
 {
   const Ray& self = this->standing(at);
@@ -402,7 +410,7 @@ double FrontMarch::spacingWidth(std::size_t at) const
     const double from = left ? left->info.launchParameter : lambda;
     const double to = right ? right->info.launchParameter : lambda;
     const double front =
-      (left ? glm::length(left->place.position - x) : 0.0) + (right ? glm::length(right->place.position - x) : 0.0);
+      (left ? this->distance(left->place, self.place) : 0.0) + (right ? this->distance(right->place, self.place) : 0.0);
     return to > from ? front / (to - from) : NotANumber;
   }
 
@@ -440,7 +448,7 @@ double FrontMarch::spacingWidth(std::size_t at) const
     return NotANumber;
   }
   const glm::dvec2 ray = self.place.rayDirection;
-  return std::abs(ray.x * derivative.y - ray.y * derivative.x);
+  return std::abs(ray.x * derivative.y - ray.y * derivative.x) / this->Medium.scale(x);
 }
 
 void FrontMarch::measureSpacing()

@@ -99,6 +99,7 @@ private:
   void settleEnded();
   void settleShore();
   void insertRays();
+  double distance(const RayPoint& a, const RayPoint& b) const;
   bool wantsInsertion(std::size_t at, Insertion& kind) const;
   void makeInsertion(InsertionJob& job, double target) const;
   Mirrored mirror(Ray& ray, RayStart& start, double target) const;

@@ -58,9 +58,15 @@ constexpr double DeepWater = 10.0;
 // A step below this share of a wavelength makes no progress any more.
 constexpr double SmallestStep = 1e-9;
 
+/** Metres of the map a second. */
+double mapSpeed(const State& rate)
+{
+  return std::sqrt(rate[X] * rate[X] + rate[Y] * rate[Y]);
+}
+
 glm::dvec2 rayDirection(const State& rate)
 {
-  return glm::dvec2(rate[X], rate[Y]) / rate[Length];
+  return glm::dvec2(rate[X], rate[Y]) / mapSpeed(rate);
 }
 
 }
@@ -97,6 +103,7 @@ HamiltonianRay::HamiltonianRay(const RayMedium& medium, const RayStart& start, d
     return;
   }
   this->BeginDepth = this->EndDepth = local.depth;
+  this->BeginScale = this->EndScale = local.scale;
   this->EndRate = this->BeginRate;
   this->BeginShare = speedShare(this->Begin, this->BeginRate, local.frequency);
   if (this->BeginShare < BlockedShare)
@@ -236,7 +243,7 @@ double HamiltonianRay::errorNorm(const State& error, const State& end) const
 
 double HamiltonianRay::longestStep() const
 {
-  const double speed = this->BeginRate[Length];
+  const double speed = mapSpeed(this->BeginRate);
   double feature = this->Medium.seafloor->featureLength();
   double reach = 32.0 * feature;
   if (this->Medium.current)
@@ -244,7 +251,7 @@ double HamiltonianRay::longestStep() const
     feature = std::min(feature, this->Medium.current->featureLength());
     reach = std::min(reach, this->Medium.current->featureLength());
   }
-  const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
+  const double k = this->BeginScale * std::hypot(this->Begin[Kx], this->Begin[Ky]);
   if (k * this->BeginDepth > DeepWater)
   {
     // Where nothing within reach is felt by the wave, steps may be as long as that reach.
@@ -269,6 +276,7 @@ bool HamiltonianRay::step()
     this->BeginTime += this->StepSize;
     this->BeginDepth = this->EndDepth;
     this->BeginShare = this->EndShare;
+    this->BeginScale = this->EndScale;
     this->StepSize = 0.0;
     this->LastTheta = 0.0;
     this->ReadTheta = 0.0;
@@ -286,7 +294,7 @@ bool HamiltonianRay::step()
   }
 
   const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
-  const double smallest = SmallestStep * 2.0 * Pi / (k * this->BeginRate[Length]);
+  const double smallest = SmallestStep * 2.0 * Pi / (k * mapSpeed(this->BeginRate));
   double h = std::min(this->NextStep, this->longestStep());
   Trial trial;
   bool toKink = false;
@@ -310,6 +318,7 @@ bool HamiltonianRay::step()
       continue;
     }
     this->StepSize = h;
+    this->EndScale = trial.local.scale;
     if (this->Medium.current)
     {
       this->EndShare = speedShare(trial.end, trial.lastRate, trial.local.frequency);

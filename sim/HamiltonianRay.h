@@ -108,6 +108,7 @@ private:
   double BeginTime = 0.0;
   double BeginDepth = 0.0;
   double BeginShare = 1.0; // speed of the energy along the wavenumber over the group speed
+  double BeginScale = 1.0; // of the map
   int Caustics = 0;
   bool Negative = false;
 
@@ -119,6 +120,7 @@ private:
   State EndRate{};
   double EndDepth = 0.0;
   double EndShare = 1.0;
+  double EndScale = 1.0;
   bool Terminal = false;
   int KinkAhead = -1;
   std::array<State, 4> Dense{};

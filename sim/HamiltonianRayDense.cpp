@@ -119,6 +119,8 @@ void HamiltonianRay::describe(double theta, RayPoint& point)
   point.position = { y[X], y[Y] };
   point.wavenumber = { y[Kx], y[Ky] };
   point.rayDirection = point.wavenumber / std::hypot(y[Kx], y[Ky]);
+  const double scale = this->Medium.scale(point.position);
+  point.wavenumber *= scale;
   BedSample bed;
   this->Medium.seafloor->evaluate(point.position, this->Region, bed);
   point.depth = this->Medium.waterLevel - bed.elevation;
@@ -129,11 +131,11 @@ void HamiltonianRay::describe(double theta, RayPoint& point)
     point.current = this->Medium.current->velocity(point.position);
     Frequency frequency;
     const double depth = std::max(point.depth, this->Medium.agroundDepth);
-    evaluateFrequency(std::hypot(y[Kx], y[Ky]), depth, this->Medium.gravity, frequency);
+    evaluateFrequency(scale * std::hypot(y[Kx], y[Ky]), depth, this->Medium.gravity, frequency);
     const glm::dvec2 speed = frequency.k * point.rayDirection + point.current;
     point.rayDirection = speed / std::hypot(speed.x, speed.y);
   }
-  point.tubeWidth = rayequations::tubeWidth(y, point.rayDirection);
+  point.tubeWidth = rayequations::tubeWidth(y, point.rayDirection) / scale;
   point.caustics = this->Caustics;
   if (this->StepSize > 0.0)
   {

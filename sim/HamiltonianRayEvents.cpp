@@ -214,7 +214,8 @@ void HamiltonianRay::findLandOrHole(Event& event) const
   const Seafloor& seafloor = *this->Medium.seafloor;
   const glm::dvec2 from(this->Begin[X], this->Begin[Y]);
   const glm::dvec2 to(this->End[X], this->End[Y]);
-  const double margin = 0.1 * (this->End[Length] - this->Begin[Length]);
+  const double length = (this->End[Length] - this->Begin[Length]) * std::max(this->BeginScale, this->EndScale);
+  const double margin = 0.1 * length;
   const Rectangle box{ glm::dvec2(std::min(from.x, to.x), std::min(from.y, to.y)) - margin,
     glm::dvec2(std::max(from.x, to.x), std::max(from.y, to.y)) + margin };
   const bool land = this->Medium.waterLevel - seafloor.highestElevation(box) < this->Medium.agroundDepth;
@@ -231,7 +232,6 @@ void HamiltonianRay::findLandOrHole(Event& event) const
     return this->Medium.waterLevel - bed.elevation < this->Medium.agroundDepth;
   };
   const auto inHole = [&](double theta) { return seafloor.isHole(this->densePosition(theta)); };
-  const double length = this->End[Length] - this->Begin[Length];
   const int parts = std::max(1, static_cast<int>(std::ceil(length / seafloor.resolution())));
   double before = 0.0;
   for (int i = 1; i <= parts; ++i)

@@ -47,10 +47,12 @@ glm::dvec2 leftOf(const glm::dvec2& v)
 }
 
 LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
-  EdgeRule rule, std::optional<double> shoreNormal, const Current* current, const Obstacles* obstacles)
+  EdgeRule rule, std::optional<double> shoreNormal, const Current* current, const Obstacles* obstacles,
+  const MapScale* map)
   : Floor(&seafloor)
   , Flow(current)
   , Walls(obstacles)
+  , Map(map)
   , WaterLevel(waterLevel)
   , Wave(wave)
   , Aground(aground)
@@ -205,7 +207,20 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   const double crestRatio = normal ? glm::dot(t0, along) * speed / forward : 1.0;
   wave.enters = water && inward > Grazing;
   wave.density = wave.enters ? inward * crestRatio : 0.0;
+  if (this->Map)
+  {
+    this->bringToMap(side, l, wave);
+  }
   return wave;
+}
+
+void LaunchLine::bringToMap(const Side& side, double l, EdgeWave& wave) const
+{
+  ScaleSample m;
+  this->Map->evaluate(side.corner + l * side.along, m);
+  wave.wavenumber /= m.scale;
+  wave.dWavenumber = wave.dWavenumber / m.scale - glm::dot(m.gradient, side.along) / m.scale * wave.wavenumber;
+  wave.density /= m.scale;
 }
 
 glm::dvec2 LaunchLine::wavenumberAt(const glm::dvec2& place, const glm::dvec2& inward) const

@@ -2,6 +2,7 @@
 
 #include "sim/Current.h"
 #include "sim/IncidentWave.h"
+#include "sim/MapScale.h"
 #include "sim/Obstacles.h"
 #include "sim/Seafloor.h"
 
@@ -19,7 +20,7 @@ enum class EdgeRule
   None,     ///< the offshore direction as given
 };
 
-/** Where and how one ray starts. */
+/** Where and how one ray starts: on a map of the Earth the state on the map (RayStart). */
 struct LaunchPoint
 {
   glm::dvec2 position{ 0.0 };    ///< m
@@ -49,7 +50,10 @@ struct LaunchPoint
  *
  * Nothing comes in on the land inside of obstacles.
  *
- * The seafloor, the current and the obstacles must outlive the line.
+ * On a map of the Earth directions are true ones (azimuths), dl and lambda true metres: the wave has the direction
+ * offshore, refracted as the rule says, at every place of the edge.
+ *
+ * The seafloor, the current, the obstacles and the map must outlive the line.
  */
 class LaunchLine
 {
@@ -62,7 +66,8 @@ public:
    * @throws std::invalid_argument on a bad wave or depth
    */
   LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground, EdgeRule rule,
-    std::optional<double> shoreNormal = {}, const Current* current = nullptr, const Obstacles* obstacles = nullptr);
+    std::optional<double> shoreNormal = {}, const Current* current = nullptr, const Obstacles* obstacles = nullptr,
+    const MapScale* map = nullptr);
 
   /** Total length along the incident crest, m; 0 where the wave comes in nowhere over water. */
   double length() const { return this->Length; }
@@ -102,7 +107,7 @@ private:
     double width = 0.0;  ///< of lambda over the stretch, m
   };
 
-  /** The wave at a place on a side. */
+  /** The wave at a place on a side; of a map as it is on the map. */
   struct EdgeWave
   {
     glm::dvec2 wavenumber{ 0.0 };
@@ -112,6 +117,7 @@ private:
   };
 
   EdgeWave edgeWave(const Side& side, double l) const;
+  void bringToMap(const Side& side, double l, EdgeWave& wave) const;
   std::optional<double> solveAlong(
     double depth, const glm::dvec2& along, double across, const glm::dvec2& velocity) const;
   glm::dvec2 integrate(const Side& side, double from, double to) const;
@@ -121,6 +127,7 @@ private:
   const Seafloor* Floor;
   const Current* Flow;    // null: still water
   const Obstacles* Walls; // null: none
+  const MapScale* Map;    // null: a plane
   double WaterLevel;
   IncidentWave Wave;
   double Aground;

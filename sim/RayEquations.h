@@ -20,6 +20,10 @@ namespace swellray
  * of the ray tube is n.dx, n the left normal of the ray, which on a current is not that of k. Whitham (1974),
  * Linear and Nonlinear Waves, section 11.5; with a current Bretherton and Garrett (1968), Proc. R. Soc. A 302; the
  * variational system as in Cerveny (2001), Seismic Ray Theory, section 4.2.
+ *
+ * On a conformal map of scale m(x) of the Earth, K = k/m being the wavenumber on the map, they are the same equations of
+ *
+ *   Omega(x, K) = sigma(m |K|, h(x)) + m K.U(x),   ds/dt = |dx/dt|/m                         (4)
  */
 namespace rayequations
 {
@@ -46,12 +50,17 @@ using State = std::array<double, Size>;
 struct Local
 {
   double depth = 0.0;
-  Frequency frequency{};
-  double doppler = 0.0; ///< k.U, rad/s
+  Frequency frequency{}; ///< on a map its derivatives by the wavenumber are those by the wavenumber on the map
+  double doppler = 0.0;  ///< k.U, rad/s
+  double scale = 1.0;    ///< of the map
 };
 
 /** Add what the current does to the rates of change. Apart, so that still water does not pay for it. */
 void addCurrent(const Current& current, const State& y, State& rate, Local& local);
+
+/** evaluate() on a map of the Earth. Apart, so that a plane does not pay for it. */
+bool evaluateOnMap(
+  const RayMedium& medium, unsigned region, double dryDepth, const State& y, State& rate, Local& local);
 
 /**
  * Rates of change of the state by time.
@@ -60,6 +69,10 @@ void addCurrent(const Current& current, const State& y, State& rate, Local& loca
 inline bool evaluate(
   const RayMedium& medium, unsigned region, double dryDepth, const State& y, State& rate, Local& local)
 {
+  if (medium.map)
+  {
+    return evaluateOnMap(medium, region, dryDepth, y, rate, local);
+  }
   BedSample bed;
   medium.seafloor->evaluate(glm::dvec2(y[X], y[Y]), region, bed);
   const double depth = medium.waterLevel - bed.elevation;

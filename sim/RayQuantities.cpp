@@ -82,6 +82,10 @@ void computeRayQuantities(const RayField& field, const IncidentWave& wave, doubl
         put(quantities.shoaling, i, shoalingCoefficient(point, speeds, groupSpeedOffshore, omega));
         put(quantities.caustics, i, point.caustics);
         put(quantities.state, i, static_cast<std::uint8_t>(point.state));
+        if (quantities.scale)
+        {
+          quantities.scale[i] = quantities.map ? quantities.map->scale(point.position) : 1.0;
+        }
       }
     });
 }

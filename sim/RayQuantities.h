@@ -3,6 +3,7 @@
 #include "sim/Dispersion.h"
 #include "sim/Execution.h"
 #include "sim/IncidentWave.h"
+#include "sim/MapScale.h"
 #include "sim/RayField.h"
 
 #include <cstdint>
@@ -48,6 +49,8 @@ struct RayQuantities
   double* shoaling = nullptr;       ///< Ks, of wave action on a current
   std::int32_t* caustics = nullptr; ///< caustics passed
   std::uint8_t* state = nullptr;    ///< RayState
+  double* scale = nullptr;          ///< map length over true length, of `map`
+  const MapScale* map = nullptr;    ///< on which the rays were traced; none: a plane
 };
 
 /**

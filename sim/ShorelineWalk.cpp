@@ -42,6 +42,7 @@ bool ShorelineWalk::advance(double distance)
 {
   const Seafloor& seafloor = *this->Medium.seafloor;
   const double longest = seafloor.resolution();
+  distance *= this->Medium.scale(this->Position);
   while (distance > 0.0)
   {
     const double part = std::min(distance, longest);

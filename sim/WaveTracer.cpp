@@ -109,6 +109,10 @@ void TraceOptions::validate() const
   {
     throw std::invalid_argument("the snell scheme knows no current: take the ode scheme, or no current");
   }
+  if (this->map && this->scheme == TraceScheme::Snell)
+  {
+    throw std::invalid_argument("the snell scheme knows no ellipsoid: take the ode scheme, or the plane");
+  }
   if (this->maxRays == 0 || this->maxFronts == 0 || this->maxPoints == 0)
   {
     throw std::invalid_argument("the caps on rays, fronts and points must be above 0");
@@ -135,12 +139,13 @@ RayField traceWaves(
   medium.agroundDepth = options.agroundDepth.value_or(AgroundShare * wave.height);
   medium.current = options.current;
   medium.obstacles = options.obstacles && !options.obstacles->empty() ? options.obstacles : nullptr;
+  medium.map = options.map;
   if (medium.current)
   {
     requireCover(*medium.current, seafloor.bounds());
   }
   const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal,
-    options.current, medium.obstacles);
+    options.current, medium.obstacles, options.map);
   if (!(line.length() > 0.0))
   {
     throw std::runtime_error("a wave from " + number(wave.directionFrom) +
