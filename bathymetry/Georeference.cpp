@@ -4,6 +4,7 @@
 #include "bathymetry/Text.h"
 #include "bathymetry/Wkt.h"
 #include "sim/Angles.h"
+#include "sim/EllipsoidMercator.h"
 
 #include <GeographicLib/TransverseMercator.hpp>
 #include <ogr_spatialref.h>
@@ -40,6 +41,9 @@ struct Georeference::Impl
   double Unit = 1.0;
   std::unique_ptr<GeographicLib::TransverseMercator> Map;
   double MapOriginY = 0.0;
+  double SemiMajor = 0.0;
+  double Flattening = 0.0;
+  std::shared_ptr<const EllipsoidMercator> Mercator; // in place of Map
 
   // A transformation is not to be used by two threads at once.
   mutable std::mutex Guard;
@@ -80,8 +84,9 @@ void Georeference::Impl::readCrs(const std::string& crs)
     }
     const double inverse = reference.GetInvFlattening();
     this->Kind = GeoreferenceKind::Geographic;
-    this->Map = std::make_unique<GeographicLib::TransverseMercator>(
-      reference.GetSemiMajor(), inverse > 0.0 ? 1.0 / inverse : 0.0, 1.0);
+    this->SemiMajor = reference.GetSemiMajor();
+    this->Flattening = inverse > 0.0 ? 1.0 / inverse : 0.0;
+    this->Map = std::make_unique<GeographicLib::TransverseMercator>(this->SemiMajor, this->Flattening, 1.0);
   }
   else if (reference.IsProjected())
   {
@@ -165,6 +170,46 @@ Georeference::Georeference(const std::string& crs, const glm::dvec2& originLonLa
   this->Data = data;
 }
 
+Georeference Georeference::onEllipsoid(const std::string& crs, double longitude, double standardLatitude)
+{
+  auto data = std::make_shared<Impl>();
+  data->readCrs(crs);
+  if (data->Kind != GeoreferenceKind::Geographic)
+  {
+    throw std::runtime_error("on the ellipsoid a grid must be in longitude and latitude, not in CRS '" + data->Name +
+      "'; trace it on the plane");
+  }
+  constexpr double digits = 1e6;
+  data->LonLat = { std::round(normalisedLongitude(longitude) * digits) / digits, 0.0 };
+  data->Mercator = std::make_shared<EllipsoidMercator>(
+    data->SemiMajor, data->Flattening, data->LonLat.x, std::round(standardLatitude * digits) / digits);
+  Georeference georeference;
+  georeference.Data = data;
+  return georeference;
+}
+
+Georeference Georeference::fromMercator(const std::string& mapCrs)
+{
+  const QuietGdal quiet;
+  OGRSpatialReference reference;
+  std::unique_ptr<OGRSpatialReference> base;
+  OGRErr error = reference.importFromWkt(mapCrs.c_str());
+  const double longitude = reference.GetNormProjParm(SRS_PP_CENTRAL_MERIDIAN, 0.0, error == OGRERR_NONE ? &error : nullptr);
+  const double latitude =
+    reference.GetNormProjParm(SRS_PP_STANDARD_PARALLEL_1, 0.0, error == OGRERR_NONE ? &error : nullptr);
+  base.reset(error == OGRERR_NONE ? reference.CloneGeogCS() : nullptr);
+  if (!base)
+  {
+    throw std::runtime_error("CRS '" + oneLine(mapCrs).substr(0, 80) + "' is no Mercator map with a standard parallel");
+  }
+  return onEllipsoid(wktOf(*base), longitude, latitude);
+}
+
+const std::shared_ptr<const EllipsoidMercator>& Georeference::mercator() const
+{
+  return this->Data->Mercator;
+}
+
 GeoreferenceKind Georeference::kind() const
 {
   return this->Data->Kind;
@@ -213,6 +258,11 @@ glm::dvec2 Georeference::toFile(const glm::dvec2& point) const
     return point / data.Unit + data.Origin;
   }
   glm::dvec2 file;
+  if (data.Mercator)
+  {
+    file = data.Mercator->toLonLat(point);
+    return { normalisedLongitude(file.x), file.y };
+  }
   data.Map->Reverse(data.LonLat.x, point.x, point.y + data.MapOriginY, file.y, file.x);
   return file;
 }
@@ -223,6 +273,11 @@ glm::dvec2 Georeference::fromFile(const glm::dvec2& file) const
   if (data.Kind != GeoreferenceKind::Geographic)
   {
     return (file - data.Origin) * data.Unit;
+  }
+  if (data.Mercator)
+  {
+    const glm::dvec2 near(data.LonLat.x + normalisedLongitude(file.x - data.LonLat.x), file.y);
+    return data.Mercator->toMap(near);
   }
   glm::dvec2 point;
   data.Map->Forward(data.LonLat.x, file.y, file.x, point.x, point.y);
@@ -278,7 +333,7 @@ bool Georeference::toLonLat(std::size_t n, const glm::dvec2* points, glm::dvec2*
 double Georeference::convergence(const glm::dvec2& point) const
 {
   const Impl& data = *this->Data;
-  if (data.Kind == GeoreferenceKind::Local)
+  if (data.Kind == GeoreferenceKind::Local || data.Mercator)
   {
     return 0.0;
   }
@@ -315,6 +370,10 @@ double Georeference::scale(const glm::dvec2& point) const
   if (data.Kind != GeoreferenceKind::Geographic)
   {
     return 1.0;
+  }
+  if (data.Mercator)
+  {
+    return data.Mercator->scale(point);
   }
   double latitude = 0.0;
   double longitude = 0.0;

@@ -9,6 +9,11 @@
 
 namespace swellray
 {
+class EllipsoidMercator;
+}
+
+namespace swellray
+{
 
 /** What the coordinates of a seafloor's file are. */
 enum class GeoreferenceKind
@@ -28,6 +33,9 @@ enum class GeoreferenceKind
  * J. Geodesy 85) of the longitude and latitude, on the CRS's own ellipsoid, with scale 1 on the meridian
  * originLongitude and the point (0, 0) at (originLongitude, originLatitude).
  *
+ * Geographic on the ellipsoid, whatever the size of the scene: a point is Mercator's map of the longitude and latitude,
+ * counted from the scene's middle meridian and the equator, with scale 1 on the scene's middle parallel.
+ *
  * It is built again from what an output carries as field data: CRS, OriginLongitude, OriginLatitude, OriginX,
  * OriginY. All members may be called from several threads at once.
  */
@@ -45,6 +53,24 @@ public:
    *   latitude in degrees from Greenwich
    */
   Georeference(const std::string& crs, const glm::dvec2& originLonLat, const glm::dvec2& originXY);
+
+  /**
+   * On Mercator's map of the ellipsoid of a geographic CRS. Both angles are rounded to 1e-6 degrees, so that a text
+   * holds them.
+   * @param longitude of x = 0, degrees
+   * @param standardLatitude where the scale is 1, degrees
+   * @throws std::runtime_error as the constructor, or where the CRS is not geographic
+   */
+  static Georeference onEllipsoid(const std::string& crs, double longitude, double standardLatitude);
+
+  /**
+   * The same, from the CRS of that map as mapCrs() has it.
+   * @throws std::runtime_error where it is none
+   */
+  static Georeference fromMercator(const std::string& mapCrs);
+
+  /** The map of the ellipsoid; null for a plane. */
+  const std::shared_ptr<const EllipsoidMercator>& mercator() const;
 
   GeoreferenceKind kind() const;
 
@@ -92,7 +118,7 @@ public:
    */
   double convergence(const glm::dvec2& point) const;
 
-  /** Scale of the transverse Mercator map at a point, >= 1 (true length = map length / scale); 1 unless geographic. */
+  /** Scale of the map at a point (true length = map length / scale); 1 unless geographic. */
   double scale(const glm::dvec2& point) const;
 
 private:

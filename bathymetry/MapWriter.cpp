@@ -3,6 +3,7 @@
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/Wkt.h"
+#include "sim/EllipsoidMercator.h"
 
 #include <cpl_conv.h>
 #include <gdal_priv.h>
@@ -260,9 +261,16 @@ std::string mapCrs(const Georeference& place)
   OGRSpatialReference reference;
   require(reference.importFromWkt(place.crs().c_str()) == OGRERR_NONE);
   OGRSpatialReference map;
-  const std::string name = "Transverse Mercator centred on the scene, over " + place.crsName();
+  const std::shared_ptr<const EllipsoidMercator>& mercator = place.mercator();
+  const std::string name =
+    (mercator ? "Mercator of the scene, over " : "Transverse Mercator centred on the scene, over ") + place.crsName();
   require(map.SetProjCS(name.c_str()) == OGRERR_NONE);
   require(map.CopyGeogCSFrom(&reference) == OGRERR_NONE);
+  if (mercator)
+  {
+    require(map.SetMercator2SP(mercator->standardLatitude(), 0.0, place.originLongitude(), 0.0, 0.0) == OGRERR_NONE);
+    return wktOf(map);
+  }
   require(map.SetTM(place.originLatitude(), place.originLongitude(), 1.0, 0.0, 0.0) == OGRERR_NONE);
   return wktOf(map);
 }

@@ -38,7 +38,8 @@ struct MapImage
 
 /**
  * CRS in which a map is written, as WKT: that of the file where it is projected or local; where it is geographic the
- * transverse Mercator of the scene, centred on its origin, in metres. Empty without a CRS.
+ * transverse Mercator of the scene, centred on its origin, or on the ellipsoid its Mercator, in metres. Empty without a
+ * CRS.
  */
 std::string mapCrs(const Georeference& place);
 

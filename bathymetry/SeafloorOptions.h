@@ -15,6 +15,13 @@ enum class Positive
   Down, ///< values are depths
 };
 
+/** The Earth that a geographic grid lies on. */
+enum class EarthModel
+{
+  Plane,    ///< a plane map of a small scene
+  Ellipsoid ///< that of its CRS, on Mercator's map with the scale known everywhere
+};
+
 /** How a seafloor file is read. */
 struct SeafloorOptions
 {
@@ -30,6 +37,7 @@ struct SeafloorOptions
   double waterLevel = 0.0;      ///< m, positive up
   bool dropOutliers = false;    ///< soundings: those far off their natural neighbours take no part
   bool crossValidate = false;   ///< soundings: measure the error by leaving out a tenth at a time, ten times
+  EarthModel earth = EarthModel::Plane; ///< ellipsoid: of a grid in longitude and latitude; no resample, no smooth
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;

@@ -13,6 +13,7 @@
 #include "bathymetry/Text.h"
 #include "bathymetry/ToMetres.h"
 #include "bathymetry/UgridMesh.h"
+#include "sim/EllipsoidMercator.h"
 
 #include <algorithm>
 #include <cmath>
@@ -185,7 +186,7 @@ Bathymetry readRaster(
 
   const CrsChoice choice = chooseCrs(
     options.crs, header.crs, header.crsSource, file.extent(), [&file] { return rmsSlope(file); }, said.notes);
-  const Georeference place = placeGrid(file, choice.crs);
+  const Georeference place = placeGrid(file, choice.crs, options.earth);
   const GapCount gaps = fillGaps(file.values, cellSize(file, place), options.maxGap);
   said.noDataRead = gaps.filled + gaps.left;
   said.filled = gaps.filled;
@@ -195,13 +196,19 @@ Bathymetry readRaster(
   {
     said.notes.push_back("the grid is rotated: resampled to north up; what lies outside of it is a hole");
   }
-  MetricGrid metric = toMetres(file, place, options.resample, execution);
+  MetricGrid metric =
+    place.mercator() ? toMercator(file, place, execution) : toMetres(file, place, options.resample, execution);
   report(execution, 0.9);
   result.grid = std::move(metric.grid);
+  result.geographic = std::move(metric.geographic);
   result.georeference = metric.georeference;
   said.crsSource = choice.source;
   said.resampled = metric.resampled;
   said.scaleError = metric.scaleError;
+  if (place.mercator())
+  {
+    said.standardLatitude = place.mercator()->standardLatitude();
+  }
   finish(result, meaning, options, execution);
   report(execution, 1.0);
   return result;

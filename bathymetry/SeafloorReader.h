@@ -6,6 +6,7 @@
 #include "sim/ElevationGrid.h"
 #include "sim/Execution.h"
 
+#include <optional>
 #include <string>
 
 namespace swellray
@@ -17,6 +18,7 @@ struct Bathymetry
   ElevationGrid grid; ///< m; holes are NaN. Georeference's points are this grid's positions.
   Georeference georeference;
   SeafloorReport report;
+  std::optional<ElevationGrid> geographic; ///< on the ellipsoid: the file's own nodes, in degrees (GeographicSeafloor)
 };
 
 /**
@@ -32,6 +34,9 @@ struct Bathymetry
  * grid of longitudes and latitudes is resampled on the largest axis-aligned rectangle in its mapped outline, a rotated
  * one on the box around it, where nodes outside of it are holes. Other grids keep their nodes; the point (0, 0) is the
  * south-west node.
+ *
+ * On the ellipsoid (options.earth) a grid in longitude and latitude is kept as it is, for GeographicSeafloor, and `grid`,
+ * on Mercator's map, is there to be looked at.
  *
  * @throws std::invalid_argument an option out of range
  * @throws std::runtime_error a file that cannot be read, has nothing but land or no data, or cannot be understood;

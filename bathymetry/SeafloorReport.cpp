@@ -64,7 +64,11 @@ std::vector<std::pair<std::string, std::string>> SeafloorReport::lines() const
   add("Extent",
     range(this->extent.low.x, this->extent.high.x, 8) + " m east, " +
       range(this->extent.low.y, this->extent.high.y, 8) + " m north");
-  if (this->kind == GeoreferenceKind::Geographic)
+  if (this->standardLatitude)
+  {
+    add("Earth", "ellipsoid, on Mercator's map with scale 1 at latitude " + text(*this->standardLatitude, 8));
+  }
+  else if (this->kind == GeoreferenceKind::Geographic)
   {
     add("Scale error", "at most " + text(100.0 * this->scaleError, 2) + " %");
   }

@@ -35,6 +35,7 @@ struct SeafloorReport
   Rectangle extent;          ///< m
   bool resampled = false;
   double scaleError = 0.0; ///< largest |map length / true length - 1|
+  std::optional<double> standardLatitude; ///< on the ellipsoid: where the map is true to scale, degrees
 
   double waterLevel = 0.0; ///< m
   double lowest = 0.0;     ///< elevation, m

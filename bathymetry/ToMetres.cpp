@@ -3,6 +3,7 @@
 #include "bathymetry/GridLayout.h"
 #include "bathymetry/InscribedRectangle.h"
 #include "bathymetry/Text.h"
+#include "sim/EllipsoidMercator.h"
 #include "sim/SplineSeafloor.h"
 
 #include <glm/common.hpp>
@@ -164,12 +165,20 @@ double largestScaleError(const Rectangle& box, const Georeference& georeference)
   return largest;
 }
 
-Georeference placeGrid(FileGrid& file, const std::string& crs)
+}
+
+Georeference placeGrid(FileGrid& file, const std::string& crs, EarthModel earth)
 {
   const Rectangle extent = file.extent();
   const glm::dvec2 middle = 0.5 * (extent.low + extent.high);
   const double turned = std::remainder(middle.x, 360.0);
   Georeference georeference(crs, glm::dvec2(turned, std::clamp(middle.y, -90.0, 90.0)), extent.low);
+  const bool ellipsoid = earth == EarthModel::Ellipsoid;
+  if (ellipsoid && (georeference.kind() != GeoreferenceKind::Geographic || !file.axisAligned()))
+  {
+    throw std::runtime_error(std::string("on the ellipsoid a grid must be in longitude and latitude, north up; ") +
+      "trace this one on the plane (earth plane)");
+  }
   if (georeference.kind() != GeoreferenceKind::Geographic)
   {
     return georeference;
@@ -181,12 +190,22 @@ Georeference placeGrid(FileGrid& file, const std::string& crs)
     throw std::runtime_error(coordinates + " are no longitude and latitude, as CRS '" + georeference.crsName() +
       "' would have them; say --crs");
   }
+  file.first.x += turned - middle.x;
+  if (ellipsoid)
+  {
+    constexpr double largest = EllipsoidMercator::LargestLatitude;
+    if (extent.low.y < -largest || extent.high.y > largest || extent.size().x > 360.0)
+    {
+      throw std::runtime_error(
+        coordinates + " reach beyond latitude " + text(largest) + ", or around the Earth, on the ellipsoid; use --crop");
+    }
+    return Georeference::onEllipsoid(crs, turned, middle.y);
+  }
   if (extent.size().x > WidestScene || extent.size().y > WidestScene)
   {
     throw std::runtime_error(
       coordinates + " span more than " + text(WidestScene) + " degrees, too much for one plane map; use --crop");
   }
-  file.first.x += turned - middle.x;
   return georeference;
 }
 
@@ -200,6 +219,40 @@ glm::dvec2 cellSize(const FileGrid& file, const Georeference& georeference)
   const glm::dvec2 across =
     fileToPoint(georeference, file, middle + row) - fileToPoint(georeference, file, middle - row);
   return { std::hypot(along.x, along.y), std::hypot(across.x, across.y) };
+}
+
+MetricGrid toMercator(const FileGrid& file, const Georeference& georeference, const Execution& execution)
+{
+  const EllipsoidMercator& map = *georeference.mercator();
+  MetricGrid result;
+  result.georeference = georeference;
+  result.resampled = true;
+  result.geographic = file.values;
+  result.geographic->origin = file.first;
+  result.geographic->spacing = { file.columnStep.x, file.rowStep.y };
+  const Rectangle extent = result.geographic->bounds();
+  ElevationGrid& grid = result.grid;
+  grid.columns = file.values.columns;
+  grid.rows = file.values.rows;
+  grid.origin = map.toMap(extent.low);
+  grid.spacing = (map.toMap(extent.high) - grid.origin) /
+    glm::dvec2(static_cast<double>(grid.columns - 1), static_cast<double>(grid.rows - 1));
+  grid.elevation.resize(grid.columns * grid.rows);
+  const SplineSeafloor spline(*result.geographic);
+  execution.forRange(grid.rows,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t row = begin; row < end; ++row)
+      {
+        const double latitude = std::clamp(map.toLonLat(grid.node(0, row)).y, extent.low.y, extent.high.y);
+        for (std::size_t column = 0; column < grid.columns; ++column)
+        {
+          const glm::dvec2 node(result.geographic->node(column, 0).x, latitude);
+          grid.at(column, row) = spline.isHole(node) ? std::numeric_limits<double>::quiet_NaN() : spline.elevation(node);
+        }
+      }
+    });
+  return result;
 }
 
 MetricGrid toMetres(const FileGrid& file, const Georeference& georeference, const std::optional<double>& resample,

@@ -3,6 +3,7 @@
 #include "AlgorithmExecution.h"
 #include "FieldData.h"
 #include "RayArrays.h"
+#include "bathymetry/MapWriter.h"
 
 #include <vtkPointData.h>
 #include <vtkPointSet.h>
@@ -20,13 +21,20 @@ namespace
 // Points mapped by one call: large enough to hide its cost, small enough for the cache.
 constexpr std::size_t PointsAtOnce = 2048;
 
+constexpr const char* EllipsoidName = "ellipsoid";
+
 }
 
 void setGeoreference(vtkDataObject* data, const Georeference& georeference)
 {
   setFieldValue(data, "OriginX", georeference.originX());
   setFieldValue(data, "OriginY", georeference.originY());
-  if (!georeference.crs().empty())
+  if (georeference.mercator())
+  {
+    setFieldString(data, "CRS", mapCrs(georeference));
+    setFieldString(data, "EarthModel", EllipsoidName);
+  }
+  else if (!georeference.crs().empty())
   {
     setFieldString(data, "CRS", georeference.crs());
   }
@@ -39,6 +47,10 @@ void setGeoreference(vtkDataObject* data, const Georeference& georeference)
 
 Georeference georeferenceOf(vtkDataObject* data)
 {
+  if (fieldString(data, "EarthModel").value_or("") == EllipsoidName)
+  {
+    return Georeference::fromMercator(fieldString(data, "CRS").value_or(""));
+  }
   const glm::dvec2 lonLat(
     fieldValue(data, "OriginLongitude").value_or(0.0), fieldValue(data, "OriginLatitude").value_or(0.0));
   const glm::dvec2 xy(fieldValue(data, "OriginX").value_or(0.0), fieldValue(data, "OriginY").value_or(0.0));

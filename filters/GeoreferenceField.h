@@ -11,7 +11,8 @@ namespace swellray
 
 /**
  * Put what maps the points back as field data: OriginX, OriginY always, CRS (WKT), OriginLongitude and
- * OriginLatitude (degrees) where they are known.
+ * OriginLatitude (degrees) where they are known. On the ellipsoid the CRS is that of the Mercator map, in whose metres
+ * the points are, and EarthModel is `ellipsoid`.
  */
 void setGeoreference(vtkDataObject* data, const Georeference& georeference);
 

@@ -2,7 +2,10 @@
 
 #include "AlgorithmExecution.h"
 #include "FieldData.h"
+#include "GeoreferenceField.h"
+#include "RayArrays.h"
 #include "sim/BuiltinSeafloor.h"
+#include "sim/GeographicSeafloor.h"
 #include "sim/SplineSeafloor.h"
 
 #include <vtkDoubleArray.h>
@@ -24,6 +27,10 @@ namespace
 
 // An image that was written and read back has the same doubles; a formula may be compiled differently.
 constexpr double FormTolerance = 1e-9;
+
+constexpr const char* GeographicElevation = "GeographicElevation";
+constexpr const char* GeographicGrid = "GeographicGrid";
+constexpr int LayoutSize = 6;
 
 /** Another seafloor within smaller bounds. */
 class CroppedSeafloor final : public Seafloor
@@ -81,7 +88,8 @@ bool hasElevations(const Seafloor& seafloor, const ElevationGrid& grid)
         for (std::size_t column = 0; column < grid.columns; ++column)
         {
           const double z = seafloor.elevation(grid.node(column, row));
-          if (!(std::abs(z - grid.at(column, row)) <= FormTolerance * (1.0 + std::abs(z))))
+          // A hole of the grid is one of the function too, up to rounding at its edge.
+          if (std::abs(z - grid.at(column, row)) > FormTolerance * (1.0 + std::abs(z)))
           {
             same = false;
           }
@@ -128,6 +136,41 @@ ElevationGrid gridOfImage(vtkImageData* image, vtkDataArray* elevation)
   return grid;
 }
 
+void setGeographicGrid(vtkImageData* image, const ElevationGrid& grid)
+{
+  double* elevation = addArray<vtkDoubleArray>(
+    image->GetFieldData(), GeographicElevation, static_cast<vtkIdType>(grid.elevation.size()));
+  std::copy(grid.elevation.begin(), grid.elevation.end(), elevation);
+  double* layout = addArray<vtkDoubleArray>(image->GetFieldData(), GeographicGrid, LayoutSize);
+  const double values[LayoutSize] = { static_cast<double>(grid.columns), static_cast<double>(grid.rows), grid.origin.x,
+    grid.origin.y, grid.spacing.x, grid.spacing.y };
+  std::copy_n(values, LayoutSize, layout);
+}
+
+std::optional<ElevationGrid> geographicGridOf(vtkImageData* image)
+{
+  auto* elevation = vtkDoubleArray::FastDownCast(image->GetFieldData()->GetArray(GeographicElevation));
+  vtkDataArray* layout = image->GetFieldData()->GetArray(GeographicGrid);
+  if (!elevation || !layout || layout->GetNumberOfTuples() != LayoutSize || elevation->GetNumberOfComponents() != 1 ||
+    layout->GetComponent(0, 0) * layout->GetComponent(1, 0) != static_cast<double>(elevation->GetNumberOfTuples()))
+  {
+    return {};
+  }
+  ElevationGrid grid;
+  grid.columns = static_cast<std::size_t>(layout->GetComponent(0, 0));
+  grid.rows = static_cast<std::size_t>(layout->GetComponent(1, 0));
+  grid.origin = { layout->GetComponent(2, 0), layout->GetComponent(3, 0) };
+  grid.spacing = { layout->GetComponent(4, 0), layout->GetComponent(5, 0) };
+  grid.elevation.assign(elevation->GetPointer(0), elevation->GetPointer(0) + elevation->GetNumberOfTuples());
+  return grid;
+}
+
+void dropGeographicGrid(vtkDataObject* data)
+{
+  data->GetFieldData()->RemoveArray(GeographicElevation);
+  data->GetFieldData()->RemoveArray(GeographicGrid);
+}
+
 std::shared_ptr<const Seafloor> SeafloorField::get(vtkImageData* image, vtkDataArray* elevation)
 {
   const std::string form = fieldString(image, "SeafloorForm").value_or("");
@@ -152,6 +195,17 @@ std::shared_ptr<const Seafloor> SeafloorField::get(vtkImageData* image, vtkDataA
     else if (whole.contains(bounds.low) && whole.contains(bounds.high) && hasElevations(*formula, grid))
     {
       result = std::make_shared<CroppedSeafloor>(formula, bounds);
+    }
+  }
+  const std::shared_ptr<const EllipsoidMercator> map = georeferenceOf(image).mercator();
+  if (const auto geographic = map ? geographicGridOf(image) : std::nullopt)
+  {
+    const auto exact = std::make_shared<GeographicSeafloor>(*geographic, map);
+    const Rectangle whole = exact->bounds();
+    const bool same = near(bounds.low, whole.low, whole.size()) && near(bounds.high, whole.high, whole.size());
+    if (same && hasElevations(*exact, grid))
+    {
+      result = exact;
     }
   }
   if (!result)

@@ -7,8 +7,10 @@
 #include <vtkSmartPointer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 
+class vtkDataObject;
 class vtkImageData;
 
 namespace swellray
@@ -20,13 +22,26 @@ namespace swellray
  */
 ElevationGrid gridOfImage(vtkImageData* image, vtkDataArray* elevation);
 
+/**
+ * Put the nodes of a grid in degrees as field data of the image that shows it on the map: GeographicElevation (double),
+ * and GeographicGrid: columns, rows, first longitude and latitude, and their steps.
+ */
+void setGeographicGrid(vtkImageData* image, const ElevationGrid& grid);
+
+/** The grid that setGeographicGrid() put there; none where there is none that is whole. */
+std::optional<ElevationGrid> geographicGridOf(vtkImageData* image);
+
+/** Take that grid away from what a pipeline has handed on: it belongs to the seafloor alone. */
+void dropGeographicGrid(vtkDataObject* data);
+
 /** Seafloor of an image as a function, kept for as long as the image stays the same. */
 class SeafloorField
 {
 public:
   /**
-   * The formula named by the field data SeafloorForm, cut to the extent of the image, where its elevations are those
-   * of the image; otherwise the spline through the elevations.
+   * The formula named by the field data SeafloorForm, cut to the extent of the image, or the spline of the grid in degrees
+   * that goes with an image on the ellipsoid, where its elevations are those of the image; otherwise the spline through
+   * the elevations.
    * @throws std::invalid_argument as gridOfImage, as SplineSeafloor, or where the form is not known
    */
   std::shared_ptr<const Seafloor> get(vtkImageData* image, vtkDataArray* elevation);

@@ -114,6 +114,10 @@ void describe(Bathymetry& bathymetry, double waterLevel, const std::string& name
 
 SeafloorScene loadForm(const std::string& spec, const SeafloorOptions& options, const Execution& execution)
 {
+  if (options.earth == EarthModel::Ellipsoid)
+  {
+    throw std::invalid_argument("the ellipsoid needs a grid in longitude and latitude; '" + spec + "' is a built-in form");
+  }
   if (options.positive != Positive::Auto || !options.crs.empty() || options.nodata || !options.variable.empty())
   {
     throw std::invalid_argument(
@@ -227,6 +231,16 @@ SeafloorScene loadImage(const std::string& path, const SeafloorOptions& options,
     ? own
     : Georeference(options.crs == "local" ? "" : crsToWkt(options.crs), { own.originLongitude(), own.originLatitude() },
         { own.originX(), own.originY() });
+  if (options.earth == EarthModel::Ellipsoid && !own.mercator())
+  {
+    throw std::runtime_error("'" + path + "' was made on the plane; read the file that it was made from on the ellipsoid");
+  }
+  if (own.mercator())
+  {
+    bathymetry.georeference = own;
+    const bool whole = !options.crop && !options.nodata && !options.resample && options.smooth == 0.0;
+    bathymetry.geographic = whole && options.positive != Positive::Down ? geographicGridOf(image) : std::nullopt;
+  }
   SeafloorReport& report = bathymetry.report;
   report.driver = "VTK image";
   report.variable = "Elevation";

@@ -7,6 +7,7 @@
 #include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
+#include "sim/EllipsoidMercator.h"
 #include "sim/RayQuantities.h"
 #include "sim/WaveTracer.h"
 
@@ -46,7 +47,7 @@ std::optional<double> unlessZero(double value)
 }
 
 void setPoints(vtkPolyData* output, const swellray::RayField& field, const swellray::IncidentWave& wave,
-  double waterLevel, bool withCurrent, const swellray::Execution& execution)
+  double waterLevel, bool withCurrent, const swellray::MapScale* map, const swellray::Execution& execution)
 {
   const auto n = static_cast<vtkIdType>(field.points.size());
   vtkNew<vtkPoints> points;
@@ -77,6 +78,11 @@ void setPoints(vtkPolyData* output, const swellray::RayField& field, const swell
   quantities.krTube = add("KrTube");
   quantities.tubeWidth = add("TubeWidth");
   quantities.shoaling = add("ShoalingCoefficient");
+  if (map)
+  {
+    quantities.map = map;
+    quantities.scale = add("MapScale");
+  }
   quantities.caustics = swellray::addArray<vtkIntArray>(out, "Caustics", n);
   quantities.state = swellray::addArray<vtkUnsignedCharArray>(out, "RayState", n);
   swellray::computeRayQuantities(field, wave, waterLevel, quantities, execution);
@@ -228,11 +234,15 @@ int vtkSwellRayTracer::RequestData(
       options.obstacles = obstacles.get();
       options.maxReflections = static_cast<std::size_t>(this->MaximumReflections);
     }
+    swellray::dropGeographicGrid(output);
+    const swellray::Georeference place = swellray::georeferenceOf(input);
+    options.map = place.mercator().get();
+    options.validate();
     const swellray::RayField field =
       swellray::traceWaves(*seafloor, wave, options, swellray::makeExecution(this, 0.0, TracingShare));
 
     output->SetLines(swellray::linesInOrder(field.offsets));
-    setPoints(output, field, wave, this->WaterLevel, current != nullptr, swellray::makeExecution(this));
+    setPoints(output, field, wave, this->WaterLevel, current != nullptr, options.map, swellray::makeExecution(this));
     setCells(output, field);
     setFields(output, field, wave, this->WaterLevel);
     if (obstacles)

@@ -24,7 +24,9 @@ class SeafloorField;
  * Input 0: vtkImageData with one layer of at least 4 x 4 nodes, axes east and north, point array Elevation (m,
  * positive up, NaN: a hole). It is interpolated by a C2 spline; where the field data SeafloorForm names a built-in
  * form and the elevations are those of the form, the formula is taken instead. Either is kept until the elevations
- * change, so that tracing another wave does not build it again.
+ * change, so that tracing another wave does not build it again. Where its field data say that it lies on the ellipsoid
+ * (vtkSwellSeafloorReader), rays are traced there: points are in the metres of its Mercator map, all other lengths true
+ * ones, directions true ones anyhow.
  *
  * Output: one poly-line a ray, also for rays of a single point, its points on the still-water level. Point arrays,
  * double with one component unless said:
@@ -36,6 +38,7 @@ class SeafloorField;
  *   infinite at a caustic, NaN where there is no tube), TubeWidth (signed, over the width offshore)
  * - ShoalingCoefficient, Caustics (int: passed so far)
  * - Current (3 components, m/s) where there is one
+ * - MapScale (length on the map over true length) on the ellipsoid
  * - RayState (unsigned char): 0 DEAD, 1 ALIVE, 2 FLAT, 3 AGROUND
  * - Longitude, Latitude (degrees) where the input says how to map back, unless LongitudeLatitude is off.
  *

@@ -4,6 +4,7 @@
 #include "FieldData.h"
 #include "GeoreferenceField.h"
 #include "RayArrays.h"
+#include "SeafloorField.h"
 #include "SeafloorSource.h"
 
 #include <vtkDataObject.h>
@@ -52,7 +53,7 @@ std::string describeSource(const std::string& name, const swellray::SeafloorOpti
   }
   words << '\n'
         << options.resample.value_or(0.0) << ' ' << options.smooth << ' ' << options.waterLevel << ' '
-        << static_cast<int>(options.positive) << ' ' << options.nodata.has_value() << ' '
+        << static_cast<int>(options.positive) << ' ' << static_cast<int>(options.earth) << ' ' << options.nodata.has_value() << ' '
         << options.nodata.value_or(0.0) << ' ' << options.maxGap.value_or(-1.0) << ' ' << options.dropOutliers << ' '
         << options.crossValidate << '\n'
         << options.crs << '\n'
@@ -72,6 +73,10 @@ vtkSmartPointer<vtkImageData> imageOf(const swellray::SeafloorScene& scene)
   std::copy(grid.elevation.begin(), grid.elevation.end(), elevation);
   image->GetPointData()->SetActiveScalars("Elevation");
   swellray::setGeoreference(image, scene.bathymetry.georeference);
+  if (scene.bathymetry.geographic)
+  {
+    swellray::setGeographicGrid(image, *scene.bathymetry.geographic);
+  }
   if (!scene.form.empty())
   {
     swellray::setFieldString(image, "SeafloorForm", scene.form);
@@ -106,6 +111,7 @@ bool vtkSwellSeafloorReader::Load()
     swellray::SeafloorOptions options;
     options.waterLevel = this->WaterLevel;
     options.positive = static_cast<swellray::Positive>(this->Positive);
+    options.earth = static_cast<swellray::EarthModel>(this->Earth);
     options.crs = this->CRS ? this->CRS : "";
     options.variable = this->Variable ? this->Variable : "";
     options.smooth = this->Smooth;
@@ -209,6 +215,7 @@ void vtkSwellSeafloorReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WaterLevel: " << this->WaterLevel << "\n";
   const char* directions[] = { "auto", "up", "down" };
   os << indent << "Positive: " << directions[this->Positive] << "\n";
+  os << indent << "Earth: " << (this->Earth == ELLIPSOID ? "ellipsoid" : "plane") << "\n";
   os << indent << "CRS: " << (this->CRS ? this->CRS : "(none)") << "\n";
   os << indent << "UseCrop: " << (this->UseCrop ? "on" : "off") << "\n";
   os << indent << "Crop: " << this->Crop[0] << " " << this->Crop[1] << " " << this->Crop[2] << " " << this->Crop[3]

@@ -26,6 +26,8 @@ struct SeafloorReport;
  *   OriginLatitude (degrees) where they are known
  * - field data SeafloorForm: the built-in form, where neither resampled nor smoothed. Filters then take its formula;
  *   the image, 500 nodes along the longer side, is there to be looked at.
+ * - on the ellipsoid field data EarthModel, the CRS being that of the Mercator map, and the grid in degrees,
+ *   GeographicElevation and GeographicGrid: filters then take its spline, and the image is there to be looked at.
  *
  * A file is read once: again only when its name, its date or an option has changed. A failure sets the error code.
  */
@@ -41,6 +43,12 @@ public:
     AUTO = 0,
     UP = 1,
     DOWN = 2
+  };
+
+  enum EarthModels
+  {
+    PLANE = 0,
+    ELLIPSOID = 1
   };
 
   ///@{
@@ -81,6 +89,17 @@ public:
   /** x0, y0, x1, y1 in the file's own coordinates; x0 < x1, y0 < y1. */
   vtkSetVector4Macro(Crop, double);
   vtkGetVector4Macro(Crop, double);
+  ///@}
+
+  ///@{
+  /**
+   * On what Earth a grid in longitude and latitude is seen: a plane map (default), or the ellipsoid of its CRS. Then the
+   * image is on Mercator's map, and rays are traced over the grid itself.
+   */
+  vtkSetClampMacro(Earth, int, PLANE, ELLIPSOID);
+  vtkGetMacro(Earth, int);
+  void SetEarthToPlane() { this->SetEarth(PLANE); }
+  void SetEarthToEllipsoid() { this->SetEarth(ELLIPSOID); }
   ///@}
 
   ///@{
@@ -159,6 +178,7 @@ protected:
   char* FileName = nullptr;
   double WaterLevel = 0.0;
   int Positive = AUTO;
+  int Earth = PLANE;
   char* CRS = nullptr;
   vtkTypeBool UseCrop = 0;
   double Crop[4] = { 0.0, 0.0, 0.0, 0.0 };

@@ -59,6 +59,7 @@ EllipsoidMercator::EllipsoidMercator(
   double semiMajor, double flattening, double longitude, double standardLatitude)
   : Longitude(radians(longitude))
   , SemiMajor(semiMajor)
+  , Standard(standardLatitude)
 {
   const bool ellipsoid = semiMajor > 0.0 && std::isfinite(semiMajor) && flattening >= 0.0 && flattening < 1.0;
   if (!ellipsoid || !std::isfinite(longitude) || !(std::abs(standardLatitude) <= LargestLatitude))

@@ -52,6 +52,9 @@ public:
   /** Latitude on the parallel at height y of the map. */
   ParallelSample parallel(double y) const;
 
+  /** The parallel on which the scale is 1, degrees. */
+  double standardLatitude() const { return this->Standard; }
+
   /** Longitude a metre of x, rad/m; the same everywhere. */
   double longitudeRate() const { return 1.0 / this->Radius; }
 
@@ -61,6 +64,7 @@ private:
   double Share;     // c
   double Radius;    // c a
   double SemiMajor;
+  double Standard; // degrees
 };
 
 }
