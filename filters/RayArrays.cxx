@@ -3,6 +3,7 @@
 #include "FieldData.h"
 
 #include <vtkCellArray.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkTypeInt64Array.h>
@@ -63,6 +64,12 @@ IncidentWave tracedWave(vtkPolyData* rays)
   wave.offshoreDepth = requireFieldValue(rays, "OffshoreDepth", tracer);
   wave.gravity = requireFieldValue(rays, "Gravity", tracer);
   return wave;
+}
+
+vtkSmartPointer<vtkDoubleArray> mapScaleOf(vtkPolyData* rays)
+{
+  vtkPointData* in = rays->GetPointData();
+  return in->HasArray("MapScale") != 0 ? requireDoubles(in, "MapScale", rays->GetNumberOfPoints()) : nullptr;
 }
 
 vtkSmartPointer<vtkDoubleArray> positionsOf(vtkPolyData* rays)

@@ -51,6 +51,9 @@ vtkSmartPointer<vtkUnsignedCharArray> requireBytes(vtkFieldData* attributes, con
  */
 IncidentWave tracedWave(vtkPolyData* rays);
 
+/** Length over true length of the map on which the points lie, the array MapScale; null on a plane, which has none. */
+vtkSmartPointer<vtkDoubleArray> mapScaleOf(vtkPolyData* rays);
+
 /** Positions of the points as doubles, x, y, z a point; shared, not copied, where they are doubles. */
 vtkSmartPointer<vtkDoubleArray> positionsOf(vtkPolyData* rays);
 

@@ -60,6 +60,10 @@ SheetArrays::SheetArrays(vtkPolyData* rays)
   {
     arrays.lines.positions = hold(doubleTriples(rays->GetPoints()->GetData(), points, "of points"));
   }
+  if (const auto scale = mapScaleOf(rays))
+  {
+    arrays.lines.scale = hold(scale);
+  }
   arrays.lines.phase = hold(requireDoubles(ofPoints, "Phase", points));
   arrays.lines.launchParameter = hold(requireDoubles(ofRays, "LaunchParameter", count));
   arrays.lines.launchSegment = hold(requireIntegers(ofRays, "LaunchSegment", count));

@@ -122,6 +122,8 @@ int vtkSwellBreakerLine::RequestData(
     rays.launchParameter = parameter->GetPointer(0);
     rays.launchSegment = segment->GetPointer(0);
     rays.positions = positions->GetPointer(0);
+    const auto scale = swellray::mapScaleOf(input);
+    rays.scale = scale ? scale->GetPointer(0) : nullptr;
     rays.direction = direction->GetPointer(0);
     rays.depth = depth->GetPointer(0);
     rays.wavenumber = wavenumber->GetPointer(0);

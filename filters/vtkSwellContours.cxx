@@ -118,6 +118,7 @@ int vtkSwellContours::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   try
   {
+    swellray::dropGeographicGrid(output);
     checkAtLeastZero("Interval", this->Interval);
     checkAtLeastZero("Simplify", this->Simplify);
     const swellray::ElevationGrid grid = swellray::gridOfImage(input, this->GetInputArrayToProcess(0, inputVector));

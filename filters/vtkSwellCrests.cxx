@@ -159,6 +159,8 @@ int vtkSwellCrests::RequestData(vtkInformation*, vtkInformationVector** inputVec
     lines.offsets = offsets.data();
     lines.positions = points > 0 ? vtkDoubleArray::FastDownCast(positions)->GetPointer(0) : nullptr;
     lines.phase = phase->GetPointer(0);
+    const auto scale = swellray::mapScaleOf(input);
+    lines.scale = scale ? scale->GetPointer(0) : nullptr;
     lines.launchParameter = parameter->GetPointer(0);
     lines.launchSegment = segment->GetPointer(0);
     const std::shared_ptr<const swellray::Obstacles> obstacles = swellray::obstaclesOf(input);

@@ -120,6 +120,8 @@ int vtkSwellWaveHeight::RequestData(
       : vtkSmartPointer<vtkDoubleArray>();
     swellray::RayProfile all;
     all.position = positions->GetPointer(0);
+    const auto scale = swellray::mapScaleOf(input);
+    all.scale = scale ? scale->GetPointer(0) : nullptr;
     all.travelTime = travelTime->GetPointer(0);
     all.depth = depth->GetPointer(0);
     all.wavenumber = wavenumber->GetPointer(0);
@@ -181,6 +183,7 @@ int vtkSwellWaveHeight::RequestData(
             swellray::RayProfile profile = all;
             profile.count = static_cast<std::size_t>(offsets[ray + 1] - at);
             profile.position += 3 * at;
+            profile.scale = profile.scale ? profile.scale + at : nullptr;
             profile.travelTime += at;
             profile.depth += at;
             profile.wavenumber += at;

@@ -33,6 +33,11 @@ double valueAt(const double* values, const RayPlace& place)
   return place.weight == 0.0 ? a : a + place.weight * (values[place.point + 1] - a);
 }
 
+double scaleAt(const BreakerRays& rays, std::int64_t point)
+{
+  return rays.scale ? rays.scale[point] : 1.0;
+}
+
 // Places at which a ray begins to break, in its order.
 std::vector<RayPlace> onsetsOf(const BreakerRays& rays, std::size_t ray)
 {
@@ -45,7 +50,8 @@ std::vector<RayPlace> onsetsOf(const BreakerRays& rays, std::size_t ray)
       continue;
     }
     const double* const a = rays.positions + 3 * (i - 1);
-    const double length = std::hypot(a[3] - a[0], a[4] - a[1]);
+    // As heights are marched (WaveHeight).
+    const double length = std::hypot(a[3] - a[0], a[4] - a[1]) / std::sqrt(scaleAt(rays, i - 1) * scaleAt(rays, i));
     if (rays.breaking[i - 1] == 0 || distance < length * (1.0 - Rounding))
     {
       onsets.push_back({ i - 1, length > 0.0 ? std::clamp(1.0 - distance / length, 0.0, 1.0) : 0.0 });
@@ -97,7 +103,8 @@ private:
     const double depth = valueAt(this->Rays.depth, place);
     const double k = valueAt(this->Rays.wavenumber, place);
     const glm::dvec2 wave = glm::normalize(vectorAt(this->Rays.direction, place));
-    const glm::dvec2 uphill = this->Bed.bed(vectorAt(this->Rays.positions, place)).gradient;
+    const glm::dvec2 uphill =
+      scaleAt(this->Rays, place.point) * this->Bed.bed(vectorAt(this->Rays.positions, place)).gradient;
     const double slope = glm::length(uphill);
     const double period = this->Sea.wave.period;
     const double gravity = this->Sea.wave.gravity;
@@ -186,7 +193,7 @@ BreakerLines extractBreakerLines(
       const RayPlace& place = onsets[ray][number];
       const glm::dvec2 here = vectorAt(rays.positions, place);
       const glm::dvec2 before = run.empty() ? here : vectorAt(rays.positions, run.back());
-      const bool apart = (maxGap > 0.0 && glm::distance(before, here) > maxGap) ||
+      const bool apart = (maxGap > 0.0 && glm::distance(before, here) > maxGap * scaleAt(rays, place.point)) ||
         (rays.obstacles && rays.obstacles->crosses(before, here));
       if (apart || rays.launchSegment[ray] != segment)
       {

@@ -20,6 +20,7 @@ struct BreakerRays
   const double* launchParameter = nullptr;     ///< a ray, m
   const std::int32_t* launchSegment = nullptr; ///< a ray
   const double* positions = nullptr;           ///< x, y, z a point, m
+  const double* scale = nullptr;               ///< length on the map of the Earth over true length; null: 1
   const double* direction = nullptr;           ///< 3 components, unit vector the wave goes to
   const double* depth = nullptr;               ///< m
   const double* wavenumber = nullptr;          ///< rad/m

@@ -75,6 +75,11 @@ glm::dvec2 positionAt(const RayLines& lines, const RayPlace& place)
   return glm::dvec2(a[0], a[1]) + place.weight * glm::dvec2(a[3] - a[0], a[4] - a[1]);
 }
 
+double scaleAt(const RayLines& lines, const RayPlace& place)
+{
+  return lines.scale ? lines.scale[place.point] : 1.0;
+}
+
 std::size_t pointCount(const RayLines& lines, std::size_t ray)
 {
   return static_cast<std::size_t>(lines.offsets[ray + 1] - lines.offsets[ray]);
@@ -176,6 +181,14 @@ Crossings findCrossings(const RayLines& lines, const std::vector<std::size_t>& s
 
 }
 
+double trueDistance(const RayLines& lines, std::int64_t a, std::int64_t b)
+{
+  const double* const from = lines.positions + 3 * a;
+  const double* const to = lines.positions + 3 * b;
+  const double onMap = std::hypot(to[0] - from[0], to[1] - from[1]);
+  return lines.scale ? onMap / std::sqrt(lines.scale[a] * lines.scale[b]) : onMap;
+}
+
 CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t every, const Obstacles* obstacles)
 {
   if (every < 1)
@@ -210,7 +223,8 @@ CrestLines extractCrests(const RayLines& lines, double maxGap, std::int64_t ever
   {
     return lines.launchSegment[sorted[a.order]] == lines.launchSegment[sorted[b.order]] &&
       (b.order == a.order + 1 || !ended.any(a.order + 1, b.order)) &&
-      (!(maxGap > 0.0) || glm::distance(positionAt(lines, a.place), positionAt(lines, b.place)) <= maxGap) &&
+      (!(maxGap > 0.0) ||
+        glm::distance(positionAt(lines, a.place), positionAt(lines, b.place)) <= maxGap * scaleAt(lines, a.place)) &&
       !(obstacles && obstacles->crosses(positionAt(lines, a.place), positionAt(lines, b.place)));
   };
   CrestLines crests;

@@ -18,9 +18,13 @@ struct RayLines
   const std::int64_t* offsets = nullptr;       ///< rays + 1 entries into the point arrays
   const double* positions = nullptr;           ///< x, y, z a point, m
   const double* phase = nullptr;               ///< a point, rad
+  const double* scale = nullptr;               ///< a point: length on the map of the Earth over true length; null: 1
   const double* launchParameter = nullptr;     ///< a ray, m
   const std::int32_t* launchSegment = nullptr; ///< a ray
 };
+
+/** True distance of two points of rays; exact on a plane, on a map to the third power of it over the Earth's radius. */
+double trueDistance(const RayLines& lines, std::int64_t a, std::int64_t b);
 
 /** A place on a ray between two of its points. */
 struct RayPlace

@@ -318,7 +318,7 @@ private:
 
   double distance(std::int64_t a, std::int64_t b) const
   {
-    return glm::distance(this->Sheets.position(a), this->Sheets.position(b));
+    return trueDistance(this->Rays.lines, a, b);
   }
 
   double phase(std::int64_t point) const { return this->Rays.lines.phase[point]; }
@@ -441,7 +441,8 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
     const double* direction = this->Rays.direction + 3 * point;
     const glm::dvec2 k = this->Rays.wavenumber[point] * glm::dvec2(direction[0], direction[1]);
     wave.wavenumber += weight[i] * k;
-    wave.phase += weight[i] * (this->Rays.lines.phase[point] + 0.5 * glm::dot(k, place - this->position(point)));
+    const double scale = this->Rays.lines.scale ? this->Rays.lines.scale[point] : 1.0;
+    wave.phase += weight[i] * (this->Rays.lines.phase[point] + 0.5 * glm::dot(k, place - this->position(point)) / scale);
     wave.height += weight[i] * this->Rays.height[point];
     inverseSquare += weight[i] / (this->Rays.height[point] * this->Rays.height[point]);
     wave.lee = wave.lee || this->LeePoint[static_cast<std::size_t>(point)];

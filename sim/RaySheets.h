@@ -56,8 +56,9 @@ struct WaveSheet
  *
  *   S(x) = sum w_i (S_i + k_i.(x - x_i)/2),
  *
- * exact for quadratic S since k is its gradient. The orientation of a triangle is the sign of the ray tube's width (the
- * other one after an odd number of reflections): it decides between corners that disagree about the caustics passed.
+ * exact for quadratic S since k (on a map of the Earth k over its scale) is its gradient. The orientation of a triangle
+ * is the sign of the ray tube's width (the other one after an odd number of reflections): it decides between corners that
+ * disagree about the caustics passed.
  */
 class RaySheets
 {

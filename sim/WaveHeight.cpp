@@ -46,7 +46,8 @@ std::vector<double> waysAlong(const RayProfile& profile)
   for (std::size_t i = 1; profile.position && i < profile.count; ++i)
   {
     const double* const a = profile.position + 3 * (i - 1);
-    way[i] = way[i - 1] + std::hypot(a[3] - a[0], a[4] - a[1]);
+    const double onMap = std::hypot(a[3] - a[0], a[4] - a[1]);
+    way[i] = way[i - 1] + (profile.scale ? onMap / std::sqrt(profile.scale[i - 1] * profile.scale[i]) : onMap);
   }
   return way;
 }

@@ -53,6 +53,7 @@ struct RayProfile
 {
   std::size_t count = 0;
   const double* position = nullptr;    ///< x, y, z a point, m; null: ways and slopes are 0, breaker types not known
+  const double* scale = nullptr;       ///< length on the map of the Earth over true length; null: 1
   const double* travelTime = nullptr;  ///< s; null allowed where nothing is lost by the way
   const double* depth = nullptr;       ///< m
   const double* wavenumber = nullptr;  ///< rad/m

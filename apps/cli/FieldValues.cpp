@@ -37,6 +37,10 @@ void setFieldText(vtkDataObject* data, const char* name, const std::string& text
 
 Georeference georeferenceOf(vtkDataObject* data)
 {
+  if (fieldText(data, "EarthModel") == "ellipsoid")
+  {
+    return Georeference::fromMercator(fieldText(data, "CRS"));
+  }
   return Georeference(fieldText(data, "CRS"),
     { fieldNumber(data, "OriginLongitude").value_or(0.0), fieldNumber(data, "OriginLatitude").value_or(0.0) },
     { fieldNumber(data, "OriginX").value_or(0.0), fieldNumber(data, "OriginY").value_or(0.0) });

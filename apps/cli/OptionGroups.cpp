@@ -166,6 +166,10 @@ std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor)
     number("--max-gap", "M", "fill gaps up to this width, m; soundings: make holes this far from them",
       "5 cells; soundings: from their distance", group, seafloor.maxGap, NonNegativeMetres),
     flag("--drop-outliers", "leave out soundings far off their neighbours", group, seafloor.dropOutliers),
+    choice("--earth", "of a grid in longitude and latitude: a plane map, or the ellipsoid, for whole basins", "plane",
+      group, seafloor.earth,
+      std::vector<std::pair<std::string, EarthModel>>{
+        { "plane", EarthModel::Plane }, { "ellipsoid", EarthModel::Ellipsoid } }),
   };
 }
 
@@ -270,6 +274,14 @@ void checkRays(RayRequest& rays)
   {
     throw UsageError(fmt::format(
       "--max-spacing must be at least --spacing, {:g} metres, not {:g}", *rays.trace.spacing, *rays.trace.maxSpacing));
+  }
+}
+
+void checkEarth(const Request& request)
+{
+  if (request.seafloor.options.earth == EarthModel::Ellipsoid && request.rays.trace.scheme == TraceScheme::Snell)
+  {
+    throw UsageError("--scheme snell knows no ellipsoid; leave out --earth ellipsoid, or take --scheme ode");
   }
 }
 

@@ -56,6 +56,8 @@ void setUp(vtkSwellSeafloorReader* reader, const SeafloorRequest& seafloor)
   reader->SetPositive(options.positive == Positive::Up ? vtkSwellSeafloorReader::UP
       : options.positive == Positive::Down             ? vtkSwellSeafloorReader::DOWN
                                                        : vtkSwellSeafloorReader::AUTO);
+  reader->SetEarth(
+    options.earth == EarthModel::Ellipsoid ? vtkSwellSeafloorReader::ELLIPSOID : vtkSwellSeafloorReader::PLANE);
   reader->SetCRS(options.crs.empty() ? nullptr : options.crs.c_str());
   reader->SetVariable(options.variable.empty() ? nullptr : options.variable.c_str());
   reader->SetSmooth(options.smooth);

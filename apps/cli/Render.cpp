@@ -79,6 +79,7 @@ std::vector<Obstacle> obstaclesToDraw(const Request& request, vtkImageData* seaf
 void checkRender(Request& request)
 {
   checkRays(request.rays);
+  checkEarth(request);
   checkContours(request.contour);
   const RenderRequest& render = request.render;
   if (request.rays.wanted && !render.rays.empty())

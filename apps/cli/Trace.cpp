@@ -178,6 +178,7 @@ void checkTrace(Request& request)
 {
   checkRays(request.rays);
   checkMildSlope(request);
+  checkEarth(request);
   const OutputRequest& output = request.output;
   checkOutputs(output);
   if (output.table.empty() != request.map.stations.empty())
