@@ -10,9 +10,9 @@ namespace swellray
 /** A geodesic from one point of an ellipsoid to another. */
 struct Geodesic
 {
-  glm::dvec2 from{ 0.0 };     ///< longitude and latitude, degrees
-  glm::dvec2 to{ 0.0 };       ///< longitude not brought into any range where it was computed
-  double azimuthFrom = 0.0;   ///< of its way at either end, degrees clockwise from north
+  glm::dvec2 from{ 0.0 };   ///< longitude and latitude, degrees
+  glm::dvec2 to{ 0.0 };     ///< longitude not brought into any range where it was computed
+  double azimuthFrom = 0.0; ///< of its way at either end, degrees clockwise from north
   double azimuthTo = 0.0;
   double length = 0.0;        ///< m
   double reducedLength = 0.0; ///< m12: width at the end of the tube of geodesics out of the first point, m a radian

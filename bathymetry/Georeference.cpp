@@ -194,7 +194,8 @@ Georeference Georeference::fromMercator(const std::string& mapCrs)
   OGRSpatialReference reference;
   std::unique_ptr<OGRSpatialReference> base;
   OGRErr error = reference.importFromWkt(mapCrs.c_str());
-  const double longitude = reference.GetNormProjParm(SRS_PP_CENTRAL_MERIDIAN, 0.0, error == OGRERR_NONE ? &error : nullptr);
+  const double longitude =
+    reference.GetNormProjParm(SRS_PP_CENTRAL_MERIDIAN, 0.0, error == OGRERR_NONE ? &error : nullptr);
   const double latitude =
     reference.GetNormProjParm(SRS_PP_STANDARD_PARALLEL_1, 0.0, error == OGRERR_NONE ? &error : nullptr);
   base.reset(error == OGRERR_NONE ? reference.CloneGeogCS() : nullptr);

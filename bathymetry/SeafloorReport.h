@@ -34,7 +34,7 @@ struct SeafloorReport
   glm::dvec2 spacing{ 0.0 }; ///< m
   Rectangle extent;          ///< m
   bool resampled = false;
-  double scaleError = 0.0; ///< largest |map length / true length - 1|
+  double scaleError = 0.0;                ///< largest |map length / true length - 1|
   std::optional<double> standardLatitude; ///< on the ellipsoid: where the map is true to scale, degrees
 
   double waterLevel = 0.0; ///< m

@@ -196,15 +196,15 @@ Georeference placeGrid(FileGrid& file, const std::string& crs, EarthModel earth)
     constexpr double largest = EllipsoidMercator::LargestLatitude;
     if (extent.low.y < -largest || extent.high.y > largest || extent.size().x > 360.0)
     {
-      throw std::runtime_error(
-        coordinates + " reach beyond latitude " + text(largest) + ", or around the Earth, on the ellipsoid; use --crop");
+      throw std::runtime_error(coordinates + " reach beyond latitude " + text(largest) +
+        ", or around the Earth, on the ellipsoid; use --crop");
     }
     return Georeference::onEllipsoid(crs, turned, middle.y);
   }
   if (extent.size().x > WidestScene || extent.size().y > WidestScene)
   {
-    throw std::runtime_error(
-      coordinates + " span more than " + text(WidestScene) + " degrees, too much for one plane map; use --crop");
+    throw std::runtime_error(coordinates + " span more than " + text(WidestScene) +
+      " degrees, too much for one plane map; use --crop, or --earth ellipsoid");
   }
   return georeference;
 }
@@ -248,7 +248,8 @@ MetricGrid toMercator(const FileGrid& file, const Georeference& georeference, co
         for (std::size_t column = 0; column < grid.columns; ++column)
         {
           const glm::dvec2 node(result.geographic->node(column, 0).x, latitude);
-          grid.at(column, row) = spline.isHole(node) ? std::numeric_limits<double>::quiet_NaN() : spline.elevation(node);
+          grid.at(column, row) =
+            spline.isHole(node) ? std::numeric_limits<double>::quiet_NaN() : spline.elevation(node);
         }
       }
     });

@@ -20,7 +20,7 @@ struct MetricGrid
   ElevationGrid grid;
   Georeference georeference;
   bool resampled = false;
-  double scaleError = 0.0; ///< largest |map length / true length - 1| on the grid
+  double scaleError = 0.0;                 ///< largest |map length / true length - 1| on the grid
   std::optional<ElevationGrid> geographic; ///< on the ellipsoid: the elevations as they are, on nodes in degrees
 };
 

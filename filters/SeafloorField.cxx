@@ -138,8 +138,8 @@ ElevationGrid gridOfImage(vtkImageData* image, vtkDataArray* elevation)
 
 void setGeographicGrid(vtkImageData* image, const ElevationGrid& grid)
 {
-  double* elevation = addArray<vtkDoubleArray>(
-    image->GetFieldData(), GeographicElevation, static_cast<vtkIdType>(grid.elevation.size()));
+  double* elevation =
+    addArray<vtkDoubleArray>(image->GetFieldData(), GeographicElevation, static_cast<vtkIdType>(grid.elevation.size()));
   std::copy(grid.elevation.begin(), grid.elevation.end(), elevation);
   double* layout = addArray<vtkDoubleArray>(image->GetFieldData(), GeographicGrid, LayoutSize);
   const double values[LayoutSize] = { static_cast<double>(grid.columns), static_cast<double>(grid.rows), grid.origin.x,

@@ -116,7 +116,8 @@ SeafloorScene loadForm(const std::string& spec, const SeafloorOptions& options, 
 {
   if (options.earth == EarthModel::Ellipsoid)
   {
-    throw std::invalid_argument("the ellipsoid needs a grid in longitude and latitude; '" + spec + "' is a built-in form");
+    throw std::invalid_argument(
+      "the ellipsoid needs a grid in longitude and latitude; '" + spec + "' is a built-in form");
   }
   if (options.positive != Positive::Auto || !options.crs.empty() || options.nodata || !options.variable.empty())
   {
@@ -233,7 +234,8 @@ SeafloorScene loadImage(const std::string& path, const SeafloorOptions& options,
         { own.originX(), own.originY() });
   if (options.earth == EarthModel::Ellipsoid && !own.mercator())
   {
-    throw std::runtime_error("'" + path + "' was made on the plane; read the file that it was made from on the ellipsoid");
+    throw std::runtime_error(
+      "'" + path + "' was made on the plane; read the file that it was made from on the ellipsoid");
   }
   if (own.mercator())
   {

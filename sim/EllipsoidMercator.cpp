@@ -55,8 +55,7 @@ double tangentOf(double psi, double e, double e2)
 
 }
 
-EllipsoidMercator::EllipsoidMercator(
-  double semiMajor, double flattening, double longitude, double standardLatitude)
+EllipsoidMercator::EllipsoidMercator(double semiMajor, double flattening, double longitude, double standardLatitude)
   : Longitude(radians(longitude))
   , SemiMajor(semiMajor)
   , Standard(standardLatitude)
@@ -114,7 +113,8 @@ glm::dvec2 EllipsoidMercator::toMap(const glm::dvec2& lonLat) const
 {
   const double latitude = radians(lonLat.y);
   return this->Radius *
-    glm::dvec2(radians(lonLat.x) - this->Longitude, std::asinh(conformalTangent(std::tan(latitude), this->Eccentricity)));
+    glm::dvec2(
+      radians(lonLat.x) - this->Longitude, std::asinh(conformalTangent(std::tan(latitude), this->Eccentricity)));
 }
 
 glm::dvec2 EllipsoidMercator::toLonLat(const glm::dvec2& point) const

@@ -44,7 +44,7 @@ private:
   Rectangle Bounds;
   double SmallestCell = 0.0; // m of the map
   double LargestCell = 0.0;
-  double TrueCell = 0.0;     // m
+  double TrueCell = 0.0; // m
 };
 
 }

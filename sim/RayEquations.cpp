@@ -47,8 +47,7 @@ void addCurrent(const Current& current, const State& y, State& rate, Local& loca
   addFlow(c, y, rate, local);
 }
 
-bool evaluateOnMap(
-  const RayMedium& medium, unsigned region, double dryDepth, const State& y, State& rate, Local& local)
+bool evaluateOnMap(const RayMedium& medium, unsigned region, double dryDepth, const State& y, State& rate, Local& local)
 {
   const glm::dvec2 place(y[X], y[Y]);
   BedSample bed;

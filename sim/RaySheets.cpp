@@ -316,10 +316,7 @@ private:
     return this->Rays.state[point] == static_cast<std::uint8_t>(RayState::Aground);
   }
 
-  double distance(std::int64_t a, std::int64_t b) const
-  {
-    return trueDistance(this->Rays.lines, a, b);
-  }
+  double distance(std::int64_t a, std::int64_t b) const { return trueDistance(this->Rays.lines, a, b); }
 
   double phase(std::int64_t point) const { return this->Rays.lines.phase[point]; }
   std::int64_t first(std::size_t order) const { return this->Rays.lines.offsets[this->Sorted[order]]; }
@@ -442,7 +439,8 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
     const glm::dvec2 k = this->Rays.wavenumber[point] * glm::dvec2(direction[0], direction[1]);
     wave.wavenumber += weight[i] * k;
     const double scale = this->Rays.lines.scale ? this->Rays.lines.scale[point] : 1.0;
-    wave.phase += weight[i] * (this->Rays.lines.phase[point] + 0.5 * glm::dot(k, place - this->position(point)) / scale);
+    wave.phase +=
+      weight[i] * (this->Rays.lines.phase[point] + 0.5 * glm::dot(k, place - this->position(point)) / scale);
     wave.height += weight[i] * this->Rays.height[point];
     inverseSquare += weight[i] / (this->Rays.height[point] * this->Rays.height[point]);
     wave.lee = wave.lee || this->LeePoint[static_cast<std::size_t>(point)];

@@ -291,9 +291,8 @@ glm::dvec2 SplineSeafloor::cell(const glm::dvec2& p) const
 
 std::vector<glm::dvec2> SplineSeafloor::outline() const
 {
-  return this->HoleCell.empty()
-    ? this->Seafloor::outline()
-    : insetConvex(convexHull(this->dataCorners()), 1.5 * this->cellSize(), this->Bounds);
+  return this->HoleCell.empty() ? this->Seafloor::outline()
+                                : insetConvex(convexHull(this->dataCorners()), 1.5 * this->cellSize(), this->Bounds);
 }
 
 std::vector<glm::dvec2> SplineSeafloor::dataCorners() const

@@ -36,8 +36,9 @@ struct Shot
 };
 
 // Both hemispheres, across the equator and the antimeridian, towards the pole and away from it.
-const std::vector<Shot> Shots{ { -50.0, 150.0, 40.0, 13e6 }, { 55.0, -35.0, 140.0, 10e6 }, { -60.0, 170.0, 58.0, 11.8e6 },
-  { -35.0, 20.0, 100.0, 10e6 }, { 5.0, 178.0, 275.0, 10e6 }, { 0.0, 0.0, 0.0, 8e6 }, { 20.0, -157.0, 200.0, 9e6 } };
+const std::vector<Shot> Shots{ { -50.0, 150.0, 40.0, 13e6 }, { 55.0, -35.0, 140.0, 10e6 },
+  { -60.0, 170.0, 58.0, 11.8e6 }, { -35.0, 20.0, 100.0, 10e6 }, { 5.0, 178.0, 275.0, 10e6 }, { 0.0, 0.0, 0.0, 8e6 },
+  { 20.0, -157.0, 200.0, 9e6 } };
 
 /** An ocean of one depth over the whole map. */
 class Ocean
@@ -165,7 +166,7 @@ TEST(EllipsoidRays, AreGeodesicsInDeepWater)
     HamiltonianRay beside(ocean.Medium, parallelStart(ocean, shot), 1e-8);
     const double k = solveWavenumber(ocean.Medium.angularFrequency, DeepSea, ocean.Medium.gravity);
     const double speed = 0.5 * ocean.Medium.angularFrequency / k;
-    int parts = 20;
+    constexpr int parts = 20;
     for (int i = 1; i <= parts; ++i)
     {
       const double s = shot.length * i / parts;
@@ -215,7 +216,6 @@ TEST(EllipsoidRays, ErrorsFollowTheTolerance)
     const glm::dvec2 place = ocean.Map.toLonLat(point.position);
     double distance = 0.0;
     judge.Inverse(lat, lon, place.y, place.x, distance);
-    std::cout << tolerance << " " << distance << " " << ray.evaluations() << "\n";
     EXPECT_LT(distance, 0.1 * before);
     before = distance;
   }
@@ -248,8 +248,7 @@ TEST(EllipsoidRays, KeepTheInvariantOverAZonalDepth)
     medium.map = &map;
     medium.angularFrequency = 2.0 * Pi / p.period;
     const reference::Real degree = reference::Pi / 180.0L;
-    const reference::ZonalRay exact(
-      depth, p.period, p.latitude * degree, longitude * degree, p.azimuth * degree);
+    const reference::ZonalRay exact(depth, p.period, p.latitude * degree, longitude * degree, p.azimuth * degree);
     const glm::dvec2 from = map.toMap({ longitude, p.latitude });
     // A row along the parallel, as wide as one metre across the ray.
     const glm::dvec2 row(-map.scale(from) / std::cos(radians(p.azimuth)), 0.0);

@@ -64,8 +64,8 @@ inline RayStart startAzimuth(
   Frequency frequency{};
   evaluateFrequency(k, depth, medium.gravity, frequency);
   const glm::dvec2 heading(std::sin(azimuth), std::cos(azimuth));
-  const double dk =
-    frequency.h / frequency.k * (bed.gradient.x * tangent.x + bed.gradient.y * tangent.y); // depth grows as the bed falls
+  const double dk = frequency.h / frequency.k *
+    (bed.gradient.x * tangent.x + bed.gradient.y * tangent.y); // depth grows as the bed falls
   const double dm = m.gradient.x * tangent.x + m.gradient.y * tangent.y;
   RayStart start;
   start.position = position;

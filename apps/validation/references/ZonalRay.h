@@ -10,8 +10,8 @@ namespace swellray::reference
 /** An ellipsoid of revolution. */
 struct Ellipsoid
 {
-  Real semiMajor = 6378137.0L;                ///< m
-  Real flattening = 1.0L / 298.257223563L;    ///< WGS 84
+  Real semiMajor = 6378137.0L;             ///< m
+  Real flattening = 1.0L / 298.257223563L; ///< WGS 84
 
   Real normalRadius(Real latitude) const;     ///< N, m; latitude in rad
   Real meridionalRadius(Real latitude) const; ///< M, m
