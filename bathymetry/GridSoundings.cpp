@@ -371,6 +371,11 @@ GriddedSoundings Gridder::grid()
 GriddedSoundings gridSoundings(const Soundings& soundings, const SeafloorOptions& options, const Execution& execution)
 {
   options.validate();
+  if (options.earth == EarthModel::Ellipsoid)
+  {
+    throw std::invalid_argument("soundings and meshes are brought to a grid on a plane: they cannot be had on the "
+                                "ellipsoid");
+  }
   return Gridder(soundings, options, execution).grid();
 }
 

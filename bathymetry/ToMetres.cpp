@@ -165,8 +165,6 @@ double largestScaleError(const Rectangle& box, const Georeference& georeference)
   return largest;
 }
 
-}
-
 Georeference placeGrid(FileGrid& file, const std::string& crs, EarthModel earth)
 {
   const Rectangle extent = file.extent();

@@ -58,15 +58,9 @@ constexpr double DeepWater = 10.0;
 // A step below this share of a wavelength makes no progress any more.
 constexpr double SmallestStep = 1e-9;
 
-/** Metres of the map a second. */
-double mapSpeed(const State& rate)
+glm::dvec2 rayDirection(const State& rate, double scale)
 {
-  return std::sqrt(rate[X] * rate[X] + rate[Y] * rate[Y]);
-}
-
-glm::dvec2 rayDirection(const State& rate)
-{
-  return glm::dvec2(rate[X], rate[Y]) / mapSpeed(rate);
+  return glm::dvec2(rate[X], rate[Y]) / (scale * rate[Length]);
 }
 
 }
@@ -111,7 +105,7 @@ HamiltonianRay::HamiltonianRay(const RayMedium& medium, const RayStart& start, d
     this->end(EndReason::BlockedByCurrent);
     return;
   }
-  this->Negative = rayequations::tubeWidth(this->Begin, rayDirection(this->BeginRate)) < 0.0;
+  this->Negative = rayequations::tubeWidth(this->Begin, rayDirection(this->BeginRate, local.scale)) < 0.0;
   const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
   this->WidthScale = std::max(std::hypot(this->Begin[DX], this->Begin[DY]), 1e-12);
   this->RateScale = std::max(std::hypot(this->Begin[DKx], this->Begin[DKy]), this->WidthScale * k * k / (2.0 * Pi));
@@ -243,7 +237,7 @@ double HamiltonianRay::errorNorm(const State& error, const State& end) const
 
 double HamiltonianRay::longestStep() const
 {
-  const double speed = mapSpeed(this->BeginRate);
+  const double speed = this->BeginScale * this->BeginRate[Length]; // on the map
   double feature = this->Medium.seafloor->featureLength();
   double reach = 32.0 * feature;
   if (this->Medium.current)
@@ -294,7 +288,7 @@ bool HamiltonianRay::step()
   }
 
   const double k = std::hypot(this->Begin[Kx], this->Begin[Ky]);
-  const double smallest = SmallestStep * 2.0 * Pi / (k * mapSpeed(this->BeginRate));
+  const double smallest = SmallestStep * 2.0 * Pi / (k * this->BeginScale * this->BeginRate[Length]);
   double h = std::min(this->NextStep, this->longestStep());
   Trial trial;
   bool toKink = false;
