@@ -12,7 +12,7 @@ std::vector<Case> allCases()
 {
   std::vector<Case> cases;
   for (const auto& family : { dispersionCases, straightCases, designCases, shallowCases, circularCases, ellipticCases,
-         breakingCases, currentCases, gridCases, schemeCases, mildSlopeCases })
+         breakingCases, currentCases, ellipsoidCases, gridCases, schemeCases, mildSlopeCases })
   {
     for (Case& one : family())
     {

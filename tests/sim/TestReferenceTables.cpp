@@ -1,4 +1,5 @@
 // Rays against tables of reference solutions, where these lie beside the data folder.
+#include "MapOfEarth.h"
 #include "RayComparison.h"
 
 #include "sim/BuiltinSeafloor.h"
@@ -418,6 +419,73 @@ TEST_F(ReferenceTables, luneburgLensAndFoldParabola)
       EXPECT_NEAR(point.position.y, table.at(i, "y"), 3e-9);
       EXPECT_NEAR(point.depth, table.at(i, "h"), 1e-9);
     }
+  }
+}
+
+TEST_F(ReferenceTables, geodesicsOfDeepWater)
+{
+  const Table table = load("c9_geodesic");
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const double longitude = table.at(row, "lon1");
+    const EllipsoidMercator map(6378137.0, 1.0 / 298.257223563, longitude, 0.0);
+    const ZonalSeafloor deep(
+      [](double, double& h, double& h1, double& h2)
+      {
+        h = 1e5;
+        h1 = h2 = 0.0;
+      },
+      map, { map.toMap({ longitude - 360.0, -84.0 }), map.toMap({ longitude + 360.0, 84.0 }) });
+    RayMedium medium = mediumOf(deep, 15.0, 0.1);
+    medium.map = &map;
+    const glm::dvec2 from = map.toMap({ longitude, table.at(row, "lat1") });
+    // A fan by the heading: its width is the reduced length.
+    RayStart start = startAzimuth(medium, from, radians(table.at(row, "azi1")), glm::dvec2(0.0));
+    start.dWavenumber = glm::dvec2(-start.wavenumber.y, start.wavenumber.x);
+    HamiltonianRay ray(medium, start, Tolerance);
+    RayPoint point;
+    ASSERT_TRUE(ray.advance(FrontMeasure::Length, table.at(row, "s12"), point));
+    const glm::dvec2 place = map.toLonLat(point.position);
+    constexpr double degree = 1e-12; // the table states 6e-14; a tenth of a micrometre on the ground
+    EXPECT_NEAR(place.y, table.at(row, "lat2"), degree);
+    EXPECT_NEAR(std::remainder(place.x - table.at(row, "lon2"), 360.0), 0.0, degree);
+    EXPECT_NEAR(degrees(std::atan2(point.wavenumber.x, point.wavenumber.y)), table.at(row, "azi2"), 1e-10);
+    EXPECT_NEAR(point.tubeWidth, table.at(row, "m12"), 1e-3);
+    EXPECT_NEAR(point.travelTime, table.at(row, "travel_s_T15"), 1e-9 * point.travelTime);
+  }
+}
+
+TEST_F(ReferenceTables, zonalDepthOnTheEllipsoid)
+{
+  const Table table = load("c9_zonal_depth");
+  const double longitude = 10.0;
+  const EllipsoidMercator map(6378137.0, 1.0 / 298.257223563, longitude, -20.0);
+  const ZonalSeafloor zones(
+    [](double phi, double& h, double& h1, double& h2)
+    {
+      h = 4000.0 + 1500.0 * std::sin(3.0 * phi);
+      h1 = 4500.0 * std::cos(3.0 * phi);
+      h2 = -13500.0 * std::sin(3.0 * phi);
+    },
+    map, { map.toMap({ longitude - 360.0, -84.0 }), map.toMap({ longitude + 360.0, 84.0 }) });
+  RayMedium medium = mediumOf(zones, 1200.0, 0.1);
+  medium.map = &map;
+  std::unique_ptr<HamiltonianRay> ray;
+  RayPoint point;
+  for (std::size_t row = 0; row < table.size(); ++row)
+  {
+    const double length = table.at(row, "s");
+    if (length == 0.0)
+    {
+      const RayStart start =
+        startAzimuth(medium, map.toMap({ longitude, -45.0 }), radians(table.at(row, "az0")), glm::dvec2(0.0));
+      ray = std::make_unique<HamiltonianRay>(medium, start, Tolerance);
+    }
+    ASSERT_TRUE(ray->advance(FrontMeasure::Length, length, point));
+    const glm::dvec2 wanted = map.toMap({ table.at(row, "lon"), table.at(row, "lat") });
+    // The table states 2e-6 m.
+    EXPECT_LT(glm::length(point.position - wanted) / map.scale(wanted), 5e-6) << length;
+    EXPECT_NEAR(point.depth, table.at(row, "h"), 1e-8);
   }
 }
 
