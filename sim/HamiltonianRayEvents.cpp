@@ -136,13 +136,14 @@ void HamiltonianRay::reflect(const RayPoint& wallPoint)
   glm::dvec2 newK = mirrored(k);
   if (this->Medium.current)
   {
+    const double across = local.scale * glm::dot(t, k);
     const std::optional<double> along = solveOnCurrent(
-      this->Medium.angularFrequency, local.depth, this->Medium.gravity, n, glm::dot(t, k), wallPoint.current);
+      this->Medium.angularFrequency, local.depth, this->Medium.gravity, n, across, wallPoint.current);
     if (!along)
     {
       return;
     }
-    newK = *along * n + glm::dot(t, k) * t;
+    newK = *along / local.scale * n + glm::dot(t, k) * t;
   }
   State after = before;
   after[Kx] = newK.x;
