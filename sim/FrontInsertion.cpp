@@ -30,6 +30,11 @@ constexpr int InsertionPasses = 12;
 
 }
 
+double FrontMarch::distance(const RayPoint& a, const RayPoint& b) const
+{
+  return glm::length(b.position - a.position) / this->Medium.scale(0.5 * (a.position + b.position));
+}
+
 bool FrontMarch::wantsInsertion(std::size_t at, Insertion& kind) const
 {
   if (!this->Order[at].linked)

@@ -393,11 +393,6 @@ const FrontMarch::Ray* FrontMarch::neighbour(std::size_t at, int step, const Ray
   return shares && !other.waiting ? &other : nullptr;
 }
 
-double FrontMarch::distance(const RayPoint& a, const RayPoint& b) const
-{
-  return glm::length(b.position - a.position) / this->Medium.scale(0.5 * (a.position + b.position));
-}
-
 double FrontMarch::spacingWidth(std::size_t at) const
 {
   const Ray& self = this->standing(at);

@@ -137,8 +137,8 @@ void HamiltonianRay::reflect(const RayPoint& wallPoint)
   if (this->Medium.current)
   {
     const double across = local.scale * glm::dot(t, k);
-    const std::optional<double> along = solveOnCurrent(
-      this->Medium.angularFrequency, local.depth, this->Medium.gravity, n, across, wallPoint.current);
+    const std::optional<double> along =
+      solveOnCurrent(this->Medium.angularFrequency, local.depth, this->Medium.gravity, n, across, wallPoint.current);
     if (!along)
     {
       return;

@@ -45,8 +45,9 @@ public:
     : Map(SemiMajor, Flattening, longitude, standardLatitude)
     , Floor(depth, this->Map,
         { this->Map.toMap({ longitude - 360.0, -84.0 }), this->Map.toMap({ longitude + 360.0, 84.0 }) })
+    , Computed(this->Floor, setting)
   {
-    this->Medium.seafloor = &this->Floor;
+    this->Medium.seafloor = &this->Computed;
     this->Medium.gravity = setting.gravity;
     this->Medium.angularFrequency = 2.0 * Pi / period;
     this->Medium.map = &this->Map;
@@ -54,6 +55,7 @@ public:
 
   EllipsoidMercator Map;
   reference::ZonalSeafloor Floor;
+  WrongSeafloor Computed; // right unless the checker is checked
   RayMedium Medium;
 };
 
