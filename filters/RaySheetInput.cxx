@@ -85,6 +85,14 @@ SheetArrays::SheetArrays(vtkPolyData* rays)
   arrays.caustics = hold(requireIntegers(ofPoints, "Caustics", points));
   arrays.breaking = hold(requireBytes(ofPoints, "Breaking", points));
   arrays.state = hold(requireBytes(ofPoints, "RayState", points));
+  if (fieldString(rays, "CausticRule").value_or("cap") != "cap")
+  {
+    arrays.refraction = hold(requireDoubles(ofPoints, "RefractionCoefficient", points));
+    arrays.tubeWidth = hold(requireDoubles(ofPoints, "TubeWidth", points));
+    this->Touched = causticsOf(rays).caustics;
+    arrays.touched = this->Touched.data();
+    arrays.touchedCount = this->Touched.size();
+  }
 }
 
 RaySheetInput::RaySheetInput(vtkPolyData* rays)

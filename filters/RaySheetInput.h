@@ -1,6 +1,7 @@
 #ifndef RaySheetInput_h
 #define RaySheetInput_h
 
+#include "CausticField.h"
 #include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "sim/RayMap.h"
@@ -34,6 +35,7 @@ private:
   std::vector<std::int64_t> Offsets;
   std::vector<vtkSmartPointer<vtkDataArray>> Held;
   std::shared_ptr<const Obstacles> Walls;
+  std::vector<RayCaustic> Touched;
   SheetRays Rays;
 };
 

@@ -1,6 +1,7 @@
 #include "vtkSwellRayTracer.h"
 
 #include "AlgorithmExecution.h"
+#include "CausticField.h"
 #include "CurrentSource.h"
 #include "FieldData.h"
 #include "GeoreferenceField.h"
@@ -140,6 +141,7 @@ void setFields(
   swellray::setFieldInteger(output, "Fronts", static_cast<int>(field.fronts));
   swellray::setFieldInteger(output, "RayCapReached", field.rayCapReached ? 1 : 0);
   swellray::setFieldInteger(output, "StepCapReached", field.stepCapReached ? 1 : 0);
+  swellray::setCaustics(output, field.caustics);
   double dispersionError = 0.0;
   for (const swellray::RayInfo& ray : field.rays)
   {

@@ -1,6 +1,7 @@
 #include "vtkSwellWaveHeight.h"
 
 #include "AlgorithmExecution.h"
+#include "CausticField.h"
 #include "FieldData.h"
 #include "RayArrays.h"
 #include "sim/WaveHeight.h"
@@ -95,6 +96,7 @@ int vtkSwellWaveHeight::RequestData(
       options.gamma = this->Gamma;
     }
     options.friction = this->Friction;
+    options.caustics = static_cast<swellray::CausticRule>(this->CausticRule);
     options.maxRefraction = this->MaxRefraction;
     options.validate();
 
@@ -112,6 +114,7 @@ int vtkSwellWaveHeight::RequestData(
     const auto krTube = swellray::requireDoubles(in, "KrTube", points);
     const auto state = swellray::requireBytes(in, "RayState", points);
     const auto phase = swellray::requireDoubles(in, "Phase", points);
+    const swellray::RayCaustics caustics = swellray::causticsOf(input);
     const auto parent = rays > 0
       ? swellray::requireIntegers(input->GetCellData(), "ParentRay", static_cast<vtkIdType>(rays))
       : vtkSmartPointer<vtkIntArray>::New();
@@ -130,6 +133,7 @@ int vtkSwellWaveHeight::RequestData(
     all.krSpacing = krSpacing->GetPointer(0);
     all.krTube = krTube->GetPointer(0);
     all.state = state->GetPointer(0);
+    all.phase = phase->GetPointer(0);
 
     output->ShallowCopy(input);
     vtkPointData* out = output->GetPointData();
@@ -152,6 +156,7 @@ int vtkSwellWaveHeight::RequestData(
       ? swellray::addArray<vtkDoubleArray>(out, "BrokenShare", points)
       : nullptr;
     swellray::setFieldString(output, "BreakingRule", swellray::breakingRuleName(options.breaking));
+    swellray::setFieldString(output, "CausticRule", swellray::causticRuleName(options.caustics));
     swellray::setFieldValue(output, "BreakerIndex", swellray::breakerIndex(options, wave));
 
     std::vector<double> share(static_cast<std::size_t>(points));
@@ -193,6 +198,9 @@ int vtkSwellWaveHeight::RequestData(
             profile.krTube += at;
             profile.state += at;
             profile.reflection = reflections ? reflections->GetPointer(0)[ray] : 1.0;
+            profile.phase += at;
+            profile.caustics = caustics.caustics.data() + caustics.offsets[ray];
+            profile.causticCount = caustics.offsets[ray + 1] - caustics.offsets[ray];
             if (profile.count > 0 && Generations::hasParent(parents, ray))
             {
               const auto beside = static_cast<std::size_t>(parents[ray]);
@@ -237,6 +245,8 @@ void vtkSwellWaveHeight::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AmplitudeRule: " << (this->AmplitudeRule == TUBE ? "tube" : "spacing") << "\n";
   os << indent
      << "BreakingRule: " << swellray::breakingRuleName(static_cast<swellray::BreakingRule>(this->BreakingRule)) << "\n";
+  os << indent << "CausticRule: " << swellray::causticRuleName(static_cast<swellray::CausticRule>(this->CausticRule))
+     << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Friction: " << this->Friction << "\n";
   os << indent << "MaxRefraction: " << this->MaxRefraction << "\n";

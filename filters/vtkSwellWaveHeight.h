@@ -14,7 +14,7 @@
  * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), TravelTime (s), Phase (rad), ShoalingCoefficient, KrSpacing,
  *   KrTube, RayState,
  * the cell array ParentRay (an inserted ray begins with the losses of its parent there)
- * and the field data Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
+ * and RayId, the field data CausticPoints where rays touch caustics, and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
  * OffshoreDepth (m) and Gravity (m/s2): the wave is the one that was traced, it cannot be set here.
  *
  * Output: the input, its arrays shared, with these point arrays added
@@ -29,7 +29,7 @@
  * - BreakingDistance (double, m): way along the ray since breaking began, 0 where it is not broken
  * - FrictionCoefficient (double), only with friction: what it alone has left of the height
  * - BrokenShare (double), only with Battjes-Janssen: share of the waves that are broken, 0 to 1
- * and the field data BreakingRule (string, as the command line names it) and BreakerIndex (double, gamma in use).
+ * and the field data BreakingRule, CausticRule (strings, as the command line names them) and BreakerIndex (double, gamma in use).
  *
  * Changing an option here does not trace again. After an abort the output is empty.
  */
@@ -44,6 +44,13 @@ public:
   {
     SPACING = 0,
     TUBE = 1
+  };
+
+  enum CausticRules
+  {
+    UNIFORM = 0,
+    GEOMETRIC = 1,
+    CAP = 2
   };
 
   enum BreakingRules
@@ -95,7 +102,22 @@ public:
   ///@}
 
   ///@{
-  /** Cap of the refraction coefficient at caustics; > 0, default 3. */
+  /**
+   * Height next to caustics: finite at folds by the modulus of the Airy function and capped elsewhere (default),
+   * infinite, or capped.
+   */
+  vtkSetClampMacro(CausticRule, int, UNIFORM, CAP);
+  vtkGetMacro(CausticRule, int);
+  void SetCausticRuleToUniform() { this->SetCausticRule(UNIFORM); }
+  void SetCausticRuleToGeometric() { this->SetCausticRule(GEOMETRIC); }
+  void SetCausticRuleToCap() { this->SetCausticRule(CAP); }
+  ///@}
+
+  ///@{
+  /**
+   * Cap of the refraction coefficient at caustics; > 0, default 3. Where the caustics of a ray are folds and higher, their
+   * own peak takes its place; not used by the geometric rule.
+   */
   vtkSetMacro(MaxRefraction, double);
   vtkGetMacro(MaxRefraction, double);
   ///@}
@@ -107,6 +129,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int AmplitudeRule = SPACING;
+  int CausticRule = UNIFORM;
   int BreakingRule = GAMMA_BREAKING;
   double Gamma = 0.0;
   double Friction = 0.0;

@@ -1,6 +1,7 @@
 #include "sim/FrontMarch.h"
 
 #include "sim/Angles.h"
+#include "sim/CausticRates.h"
 #include "sim/Dispersion.h"
 #include "sim/HamiltonianRay.h"
 #include "sim/RayQuantities.h"
@@ -287,6 +288,7 @@ void FrontMarch::retire(std::uint32_t index)
   if (ray.path)
   {
     ray.info.dispersionError = ray.path->dispersionError();
+    ray.caustics = ray.info.lee ? std::vector<RayCaustic>() : ray.path->caustics();
     this->Evaluations += ray.path->evaluations();
     ray.path.reset();
   }
@@ -557,7 +559,13 @@ RayField FrontMarch::collect()
   {
     field.stepCapReached = field.stepCapReached || ray.info.endReason == EndReason::StepCap;
     field.rays.push_back(ray.info);
+    for (RayCaustic& caustic : ray.caustics)
+    {
+      caustic.ray = static_cast<std::int32_t>(field.rays.size()) - 1;
+      field.caustics.push_back(caustic);
+    }
   }
+  findCausticRates(field);
   this->Rays.clear();
 
   std::vector<std::size_t> next(field.rays.size() + 1, 0);

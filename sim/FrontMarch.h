@@ -33,6 +33,7 @@ private:
   {
     RayInfo info;
     std::unique_ptr<RayPath> path;
+    std::vector<RayCaustic> caustics; // once it has no path any more
     ShorelineWalk walk;
     RayState state = RayState::Alive;
     bool waiting = true;             // the front has not come to its launch point yet

@@ -264,7 +264,7 @@ bool HamiltonianRay::step()
   if (this->StepSize > 0.0)
   {
     // Leave the finished step behind.
-    this->countCaustics(0.0, this->LastTheta, this->Caustics, this->Negative);
+    this->passCaustics(this->LastTheta, this->Caustics, this->Negative, &this->Touched);
     this->Begin = this->End;
     this->BeginRate = this->EndRate;
     this->BeginTime += this->StepSize;
@@ -294,7 +294,7 @@ bool HamiltonianRay::step()
   bool toKink = false;
   while (true)
   {
-    if (h < smallest)
+    if (!(h >= smallest))
     {
       // The step shrinks to nothing only in front of a wall of land.
       this->StepSize = 0.0;

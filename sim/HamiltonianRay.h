@@ -9,7 +9,7 @@ namespace swellray
 /**
  * A ray integrated with Dormand and Prince's 5(4) pair (1980) in time, steps adapted to a relative tolerance,
  * read anywhere from the dense output of order 4 (Hairer, Norsett and Wanner 1993, II.6). Along with
- * the ray go its tube and the number of caustics passed.
+ * the ray go its tube and the caustics it touches, found to rounding on the dense output.
  *
  * A step ends exactly on a kink curve of the seafloor, where the gradient of the bed and with it the rate of the
  * tube jumps: with f the rates and nu the gradient of the kink's level,
@@ -37,6 +37,8 @@ public:
   HamiltonianRay(const RayMedium& medium, const RayStart& start, double tolerance, std::size_t maxSteps = 1000000);
 
   bool advance(FrontMeasure measure, double target, RayPoint& point) override;
+
+  std::vector<RayCaustic> caustics() override;
 
   std::size_t steps() const { return this->Steps; }
 
@@ -89,7 +91,9 @@ private:
   double locate(double low, double high, const Sign& outside) const;
   double reached(FrontMeasure measure) const;
   double locateTarget(FrontMeasure measure, double target) const;
-  void countCaustics(double from, double to, int& caustics, bool& negative) const;
+  double denseWidth(double theta) const;
+  void passCaustics(double to, int& caustics, bool& negative, std::vector<RayCaustic>* touched);
+  void touchCaustic(double theta, int number, std::vector<RayCaustic>& touched);
   void describe(double theta, RayPoint& point);
   void end(EndReason reason);
 
@@ -110,6 +114,7 @@ private:
   double BeginShare = 1.0; // speed of the energy along the wavenumber over the group speed
   double BeginScale = 1.0; // of the map
   int Caustics = 0;
+  std::vector<RayCaustic> Touched; // in the steps before
   bool Negative = false;
 
   // The current step: made when StepSize > 0, valid to LastTheta.
@@ -150,6 +155,17 @@ inline double HamiltonianRay::denseRate(double theta, std::size_t i) const
 inline glm::dvec2 HamiltonianRay::densePosition(double theta) const
 {
   return { this->dense(theta, rayequations::X), this->dense(theta, rayequations::Y) };
+}
+
+template <typename Sign>
+double HamiltonianRay::locate(double low, double high, const Sign& outside) const
+{
+  for (int i = 0; i < BisectionSteps && high - low > 1e-15; ++i)
+  {
+    const double middle = 0.5 * (low + high);
+    (outside(middle) ? high : low) = middle;
+  }
+  return high;
 }
 
 }

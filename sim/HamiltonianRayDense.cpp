@@ -95,23 +95,6 @@ double HamiltonianRay::locateTarget(FrontMeasure measure, double target) const
   return theta;
 }
 
-void HamiltonianRay::countCaustics(double from, double to, int& caustics, bool& negative) const
-{
-  // Twice within a third of a step would need a lens far smaller than the steps resolve.
-  for (const double theta : { from + (to - from) / 3.0, from + (to - from) * 2.0 / 3.0, to })
-  {
-    // The ray's way: along the wavenumber, unless a current carries it.
-    const double x = this->Medium.current ? this->denseRate(theta, X) : this->dense(theta, Kx);
-    const double y = this->Medium.current ? this->denseRate(theta, Y) : this->dense(theta, Ky);
-    const double width = x * this->dense(theta, DY) - y * this->dense(theta, DX);
-    if (width != 0.0 && (width < 0.0) != negative)
-    {
-      negative = !negative;
-      ++caustics;
-    }
-  }
-}
-
 void HamiltonianRay::describe(double theta, RayPoint& point)
 {
   this->ReadTheta = theta;
@@ -140,7 +123,7 @@ void HamiltonianRay::describe(double theta, RayPoint& point)
   if (this->StepSize > 0.0)
   {
     bool negative = this->Negative;
-    this->countCaustics(0.0, theta, point.caustics, negative);
+    this->passCaustics(theta, point.caustics, negative, nullptr);
   }
   this->ReadLength = y[Length];
 }

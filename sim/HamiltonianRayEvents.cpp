@@ -26,17 +26,6 @@ constexpr double Grazing = 1e-9;
 
 }
 
-template <typename Sign>
-double HamiltonianRay::locate(double low, double high, const Sign& outside) const
-{
-  for (int i = 0; i < BisectionSteps && high - low > 1e-15; ++i)
-  {
-    const double middle = 0.5 * (low + high);
-    (outside(middle) ? high : low) = middle;
-  }
-  return high;
-}
-
 HamiltonianRay::Event HamiltonianRay::findEvent() const
 {
   Event event;

@@ -33,6 +33,9 @@ constexpr double MostParts = 16000.0;
 constexpr double LargestChange = 1.1;
 constexpr double ShortestPart = 1e-9;
 
+// A ray starts within its stretch by this share of it.
+constexpr double EndShare = 1e-12;
+
 // Gauss-Legendre nodes and weights on [-1, 1], 5 points (Abramowitz and Stegun 1964, table 25.4).
 constexpr std::array<double, 5> GaussNode{ -0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
   0.9061798459386640 };
@@ -323,24 +326,22 @@ LaunchPoint LaunchLine::at(double lambda) const
   const Stretch& stretch = next == this->Stretches.begin() ? *next : *std::prev(next);
   const Side& side = this->Sides[stretch.side];
 
-  // Newton on lambda(l), kept inside of the stretch.
-  const double wanted = std::clamp(lambda - stretch.lambda, 0.0, stretch.width);
-  double l = stretch.from + (stretch.to - stretch.from) * (wanted / stretch.width);
-  glm::dvec2 integral(0.0);
-  for (int i = 0; i < 20; ++i)
+  // Newton on lambda(l), kept in its bracket: where the wave grazes the edge its density falls to nothing at the end.
+  const double end = EndShare * stretch.width;
+  const double wanted = std::clamp(lambda - stretch.lambda, end, stretch.width - end);
+  double low = stretch.from;
+  double high = stretch.to;
+  double l = low + (high - low) * (wanted / stretch.width);
+  for (int i = 0; i < 60; ++i)
   {
-    integral = this->integrate(side, stretch.from, l);
-    const double density = this->edgeWave(side, l).density;
-    if (!(density > 0.0))
+    const double miss = this->integrate(side, stretch.from, l).x - wanted;
+    const double newton = l - miss / this->edgeWave(side, l).density;
+    if (std::abs(newton - l) <= 1e-15 * side.length)
     {
       break;
     }
-    const double before = l;
-    l = std::clamp(l - (integral.x - wanted) / density, stretch.from, stretch.to);
-    if (std::abs(l - before) <= 1e-15 * side.length)
-    {
-      break;
-    }
+    (miss > 0.0 ? high : low) = l;
+    l = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
   const EdgeWave wave = this->edgeWave(side, l);
   LaunchPoint point;

@@ -1,7 +1,9 @@
 #include "sim/RayMap.h"
 
 #include "sim/Angles.h"
+#include "sim/Bins.h"
 #include "sim/Caustic.h"
+#include "sim/SheetSearch.h"
 
 #include <glm/geometric.hpp>
 
@@ -9,9 +11,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <numeric>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 namespace swellray
 {
@@ -25,13 +28,16 @@ constexpr std::size_t RowsAtOnce = 8;
 // Below this share of its parts a mean direction is rounding.
 constexpr double NoMean = 1e-12;
 
+// Next to a caustic the sheets' phases are off by less than this, rad.
+constexpr double Ragged = 0.7;
+
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// A sheet that covers a place.
-struct Hit
+// What a strip along a caustic brings to a place.
+struct FoldHit
 {
   std::size_t place = 0;
-  WaveSheet wave;
+  FoldShare wave;
 };
 
 void resize(RayMap& map, std::size_t places)
@@ -44,45 +50,83 @@ void resize(RayMap& map, std::size_t places)
   map.count.assign(places, 0);
 }
 
-// What the branches of fold caustics add to the sum of rays: for each sheet that has touched a caustic, with the sheet of
-// one caustic less that is nearest in phase before it.
-std::complex<double> foldCorrection(const WaveSheet* sheets, std::size_t count)
+// The sheet of one caustic less that is nearest in phase before a sheet, or the sheet past the last.
+std::size_t branchBefore(const WaveSheet* sheets, std::size_t count, std::size_t behind)
 {
-  std::complex<double> correction = 0.0;
-  for (const WaveSheet* behind = sheets; behind != sheets + count; ++behind)
+  std::size_t before = count;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const WaveSheet* before = nullptr;
-    for (const WaveSheet* other = sheets; other != sheets + count; ++other)
+    const bool fits = sheets[i].caustics + 1 == sheets[behind].caustics &&
+      sheets[i].reflections == sheets[behind].reflections && sheets[i].phase < sheets[behind].phase;
+    before = fits && (before == count || sheets[i].phase > sheets[before].phase) ? i : before;
+  }
+  return before;
+}
+
+// Interference of all sheets, the two branches of each fold together, and of the strips that take their place.
+std::complex<double> interfere(
+  const WaveSheet* sheets, std::size_t count, const FoldShare* folds, std::size_t foldCount)
+{
+  std::complex<double> sum = 0.0;
+  std::vector<double> weight(count, 1.0);
+  for (const FoldShare* fold = folds; fold != folds + foldCount; ++fold)
+  {
+    sum += fold->weight * fold->wave;
+    for (std::size_t i = 0; i < count; ++i)
     {
-      const bool fits = other->caustics + 1 == behind->caustics && other->reflections == behind->reflections &&
-        other->phase < behind->phase;
-      before = fits && (!before || other->phase > before->phase) ? other : before;
-    }
-    if (before)
-    {
-      const std::complex<double> rays =
-        std::polar(before->height, before->phase) + std::polar(behind->height, behind->phase - 0.5 * Pi);
-      correction += std::polar(1.0, -0.5 * Pi * before->caustics) *
-        (foldWave({ before->height, before->phase }, { behind->height, behind->phase }) - rays);
+      const bool branch = sheets[i].reflections == fold->reflections &&
+        (sheets[i].caustics == fold->number || sheets[i].caustics + 1 == fold->number);
+      weight[i] *= branch && std::abs(sheets[i].phase - fold->middle) < fold->half + Ragged ? 1.0 - fold->weight : 1.0;
     }
   }
-  return correction;
+  // A branch without its other one is as high as its own modulus.
+  std::vector<char> paired(count, 0);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::size_t before = branchBefore(sheets, count, i);
+    if (before < count)
+    {
+      paired[i] = paired[before] = 1;
+      const FoldBranch a{ sheets[before].branch, sheets[before].phase };
+      const FoldBranch b{ sheets[i].branch, sheets[i].phase };
+      const std::complex<double> rays = std::polar(a.amplitude, a.phase) + std::polar(b.amplitude, b.phase - 0.5 * Pi);
+      sum += std::min(weight[i], weight[before]) * std::polar(1.0, -0.5 * Pi * sheets[before].caustics) *
+        (foldWave(a, b) - rays);
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    sum += weight[i] *
+      std::polar(paired[i] ? sheets[i].branch : sheets[i].height, sheets[i].phase - 0.5 * Pi * sheets[i].caustics);
+  }
+  return sum;
 }
 
 // Hits of a place stay in the order of the triangles, so that sums are the same for any number of threads.
-void combineHits(std::vector<Hit>& hits, CombineRule rule, RayMap& map)
+void combineHits(std::vector<SheetHit>& hits, std::vector<FoldHit>& foldHits, CombineRule rule, RayMap& map)
 {
-  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.place < b.place; });
+  const auto byPlace = [](const auto& a, const auto& b) { return a.place < b.place; };
+  std::stable_sort(hits.begin(), hits.end(), byPlace);
+  std::stable_sort(foldHits.begin(), foldHits.end(), byPlace);
   std::vector<WaveSheet> waves;
-  for (std::size_t i = 0; i < hits.size();)
+  std::vector<FoldShare> folds;
+  auto fold = foldHits.begin();
+  for (auto hit = hits.begin(); hit != hits.end() || fold != foldHits.end();)
   {
-    const std::size_t place = hits[i].place;
+    const std::size_t place = hit == hits.end() ? fold->place
+      : fold == foldHits.end()                  ? hit->place
+                                                : std::min(hit->place, fold->place);
     waves.clear();
-    for (; i < hits.size() && hits[i].place == place; ++i)
+    folds.clear();
+    for (; hit != hits.end() && hit->place == place; ++hit)
     {
-      waves.push_back(hits[i].wave);
+      waves.push_back(hit->wave);
     }
-    const CombinedWave wave = combineSheets(waves.data(), waves.size(), rule);
+    for (; fold != foldHits.end() && fold->place == place; ++fold)
+    {
+      folds.push_back(fold->wave);
+    }
+    const CombinedWave wave = combineSheets(waves.data(), waves.size(), rule, folds.data(), folds.size());
     map.height[place] = wave.height;
     map.directionFrom[place] = wave.directionFrom;
     map.wavelength[place] = wave.wavelength;
@@ -92,54 +136,10 @@ void combineHits(std::vector<Hit>& hits, CombineRule rule, RayMap& map)
   }
 }
 
-// Indices of a regular row of nodes between two coordinates, first to last (last excluded), a node more at either end:
-// places are looked at a little inwards.
-struct Span
+// Energies of sheets need no strips: their heights are finite.
+std::optional<FoldStrips> stripsFor(const RaySheets& sheets, CombineRule rule, const Execution& execution)
 {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-Span spanOf(double low, double high, double origin, double spacing, std::size_t count)
-{
-  const auto end = static_cast<double>(count);
-  const double first = std::clamp(std::floor((low - origin) / spacing), 0.0, end);
-  const double last = std::clamp(std::ceil((high - origin) / spacing) + 1.0, 0.0, end);
-  return { static_cast<std::size_t>(first), static_cast<std::size_t>(std::max(first, last)) };
-}
-
-// Items of each bin, by counting: those of bin b are items[offsets[b]] to items[offsets[b + 1] - 1], in their order.
-struct Bins
-{
-  std::vector<std::size_t> offsets;
-  std::vector<std::size_t> items;
-};
-
-template <typename SpanOf>
-Bins sortIntoBins(std::size_t bins, std::size_t items, const SpanOf& spanOfItem)
-{
-  Bins sorted;
-  sorted.offsets.assign(bins + 1, 0);
-  for (std::size_t i = 0; i < items; ++i)
-  {
-    const Span span = spanOfItem(i);
-    for (std::size_t bin = span.first; bin < span.last; ++bin)
-    {
-      ++sorted.offsets[bin + 1];
-    }
-  }
-  std::partial_sum(sorted.offsets.begin(), sorted.offsets.end(), sorted.offsets.begin());
-  sorted.items.resize(sorted.offsets.back());
-  std::vector<std::size_t> next(sorted.offsets.begin(), sorted.offsets.end() - 1);
-  for (std::size_t i = 0; i < items; ++i)
-  {
-    const Span span = spanOfItem(i);
-    for (std::size_t bin = span.first; bin < span.last; ++bin)
-    {
-      sorted.items[next[bin]++] = i;
-    }
-  }
-  return sorted;
+  return rule == CombineRule::Phase ? std::optional<FoldStrips>(std::in_place, sheets, execution) : std::nullopt;
 }
 
 void validate(const MapGrid& grid)
@@ -155,13 +155,17 @@ void validate(const MapGrid& grid)
 
 }
 
-CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRule rule)
+CombinedWave combineSheets(
+  const WaveSheet* sheets, std::size_t count, CombineRule rule, const FoldShare* folds, std::size_t foldCount)
 {
   CombinedWave combined;
   combined.count = static_cast<std::int32_t>(count);
+  const bool strips = rule == CombineRule::Phase && foldCount > 0;
   if (count == 0)
   {
-    combined.height = combined.directionFrom = combined.wavelength = NotANumber;
+    combined.height = strips ? std::abs(interfere(sheets, count, folds, foldCount)) : NotANumber;
+    combined.directionFrom = strips ? nauticalFromVector(folds->wavenumber) : NotANumber;
+    combined.wavelength = strips ? 2.0 * Pi / glm::length(folds->wavenumber) : NotANumber;
     return combined;
   }
   const WaveSheet* highest = std::max_element(
@@ -172,7 +176,7 @@ CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRu
   combined.wavelength = 2.0 * Pi / glm::length(highest->wavenumber);
   combined.height = highest->height;
   // One wave needs no mean, and next to an infinite or no wave at all no other counts.
-  if (count == 1 || !(highest->height > 0.0) || std::isinf(highest->height))
+  if ((count == 1 && !strips) || !(highest->height > 0.0) || std::isinf(highest->height))
   {
     return combined;
   }
@@ -180,7 +184,6 @@ CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRu
   double energy = 0.0;
   double wavenumber = 0.0;
   glm::dvec2 direction(0.0);
-  std::complex<double> sum = 0.0;
   for (const WaveSheet* sheet = sheets; sheet != sheets + count; ++sheet)
   {
     const double squared = sheet->height * sheet->height;
@@ -188,9 +191,9 @@ CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRu
     energy += squared;
     wavenumber += squared * k;
     direction += squared * sheet->wavenumber / k;
-    sum += std::polar(sheet->height, sheet->phase - 0.5 * Pi * sheet->caustics);
   }
-  combined.height = rule == CombineRule::Energy ? std::sqrt(energy) : std::abs(sum + foldCorrection(sheets, count));
+  combined.height =
+    rule == CombineRule::Energy ? std::sqrt(energy) : std::abs(interfere(sheets, count, folds, strips ? foldCount : 0));
   combined.wavelength = 2.0 * Pi * energy / wavenumber;
   if (glm::length(direction) > NoMean * energy)
   {
@@ -216,36 +219,70 @@ RayMap mapRays(
       return spanOf(box.low.y - grid.spacing.y, box.high.y, grid.origin.y, bandHeight, bands);
     });
 
+  const std::optional<FoldStrips> folds = stripsFor(sheets, rule, execution);
+  const Bins foldBins = sortIntoBins(bands, folds ? folds->size() : 0,
+    [&](std::size_t i)
+    {
+      const Rectangle box = folds->box(i);
+      return spanOf(box.low.y - grid.spacing.y, box.high.y, grid.origin.y, bandHeight, bands);
+    });
   execution.forRange(bands,
     [&](std::size_t begin, std::size_t end)
     {
-      std::vector<Hit> hits;
-      Hit hit;
-      for (std::size_t band = begin; band < end; ++band)
+      std::vector<SheetHit> hits;
+      std::vector<FoldHit> foldHits;
+      SheetHit hit;
+      FoldHit foldHit;
+      // Every node of a band in a box.
+      const auto visit = [&](std::size_t band, const Rectangle& box, const auto& look)
       {
-        hits.clear();
-        const std::size_t lastRow = std::min(grid.rows, (band + 1) * RowsAtOnce);
-        for (std::size_t at = bins.offsets[band]; at < bins.offsets[band + 1]; ++at)
+        const Span columns = spanOf(box.low.x, box.high.x, grid.origin.x, grid.spacing.x, grid.columns);
+        const Span rows = spanOf(box.low.y, box.high.y, grid.origin.y, grid.spacing.y, grid.rows);
+        const std::size_t lastRow = std::min({ rows.last, grid.rows, (band + 1) * RowsAtOnce });
+        for (std::size_t row = std::max(rows.first, band * RowsAtOnce); row < lastRow; ++row)
         {
-          const RaySheets::Triangle& triangle = triangles[bins.items[at]];
-          const Rectangle box = sheets.box(triangle);
-          const Span columns = spanOf(box.low.x, box.high.x, grid.origin.x, grid.spacing.x, grid.columns);
-          const Span rows = spanOf(box.low.y, box.high.y, grid.origin.y, grid.spacing.y, grid.rows);
-          for (std::size_t row = std::max(rows.first, band * RowsAtOnce); row < std::min(rows.last, lastRow); ++row)
+          for (std::size_t column = columns.first; column < columns.last; ++column)
           {
-            for (std::size_t column = columns.first; column < columns.last; ++column)
+            const std::size_t place = row * grid.columns + column;
+            if (!depth || depth[place] > 0.0)
             {
-              hit.place = row * grid.columns + column;
-              const glm::dvec2 index(static_cast<double>(column), static_cast<double>(row));
-              if ((!depth || depth[hit.place] > 0.0) &&
-                sheets.wave(triangle, sheets.inwards(grid.origin + grid.spacing * index), hit.wave))
-              {
-                hits.push_back(hit);
-              }
+              look(
+                place, grid.origin + grid.spacing * glm::dvec2(static_cast<double>(column), static_cast<double>(row)));
             }
           }
         }
-        combineHits(hits, rule, map);
+      };
+      for (std::size_t band = begin; band < end; ++band)
+      {
+        hits.clear();
+        foldHits.clear();
+        for (std::size_t at = bins.offsets[band]; at < bins.offsets[band + 1]; ++at)
+        {
+          const RaySheets::Triangle& triangle = triangles[bins.items[at]];
+          visit(band, sheets.box(triangle),
+            [&](std::size_t place, const glm::dvec2& node)
+            {
+              hit.place = place;
+              if (sheets.wave(triangle, sheets.inwards(node), hit.wave))
+              {
+                hits.push_back(hit);
+              }
+            });
+        }
+        for (std::size_t at = foldBins.offsets[band]; at < foldBins.offsets[band + 1]; ++at)
+        {
+          const std::size_t strip = foldBins.items[at];
+          visit(band, folds->box(strip),
+            [&](std::size_t place, const glm::dvec2& node)
+            {
+              foldHit.place = place;
+              if (folds->wave(strip, node, foldHit.wave))
+              {
+                foldHits.push_back(foldHit);
+              }
+            });
+        }
+        combineHits(hits, foldHits, rule, map);
       }
     });
   return map;
@@ -256,57 +293,28 @@ RayMap sampleRays(const RaySheets& sheets, const std::vector<glm::dvec2>& places
 {
   RayMap map;
   resize(map, places.size());
-  const std::vector<RaySheets::Triangle>& triangles = sheets.triangles();
-  if (places.empty() || triangles.empty())
+  std::vector<char> wanted(places.size(), 1);
+  for (std::size_t i = 0; depth && i < places.size(); ++i)
   {
-    return map;
+    wanted[i] = depth[i] > 0.0 ? 1 : 0;
   }
-  // The places in strips of equal y, the triangles looked at in pieces that are put together in their order.
-  const Rectangle& bounds = sheets.bounds();
-  const std::size_t strips = std::min<std::size_t>(places.size(), 4096);
-  const double height = std::max(bounds.size().y, 1.0) / static_cast<double>(strips);
-  std::vector<glm::dvec2> inside(places.size());
-  std::transform(
-    places.begin(), places.end(), inside.begin(), [&](const glm::dvec2& place) { return sheets.inwards(place); });
-  const Bins bins = sortIntoBins(strips, places.size(),
-    [&](std::size_t i)
+  std::vector<SheetHit> hits = findSheets(sheets, places, &wanted, execution);
+  std::vector<FoldHit> foldHits;
+  if (const std::optional<FoldStrips> folds = stripsFor(sheets, rule, execution))
+  {
+    FoldHit hit;
+    for (hit.place = 0; hit.place < places.size(); ++hit.place)
     {
-      const bool asked = bounds.contains(inside[i]) && (!depth || depth[i] > 0.0);
-      if (!asked)
+      for (std::size_t strip = 0; wanted[hit.place] != 0 && strip < folds->size(); ++strip)
       {
-        return Span();
-      }
-      const auto strip = std::min(strips - 1, static_cast<std::size_t>((inside[i].y - bounds.low.y) / height));
-      return Span{ strip, strip + 1 };
-    });
-
-  constexpr std::size_t TrianglesAtOnce = 65536;
-  const std::size_t pieces = (triangles.size() + TrianglesAtOnce - 1) / TrianglesAtOnce;
-  std::vector<std::vector<Hit>> found(pieces);
-  execution.forRange(pieces,
-    [&](std::size_t begin, std::size_t end)
-    {
-      Hit hit;
-      for (std::size_t t = begin * TrianglesAtOnce; t < std::min(end * TrianglesAtOnce, triangles.size()); ++t)
-      {
-        const Rectangle box = sheets.box(triangles[t]);
-        const Span span = spanOf(box.low.y, box.high.y, bounds.low.y, height, strips);
-        for (std::size_t at = bins.offsets[span.first]; at < bins.offsets[span.last]; ++at)
+        if (folds->wave(strip, places[hit.place], hit.wave))
         {
-          hit.place = bins.items[at];
-          if (box.contains(inside[hit.place]) && sheets.wave(triangles[t], inside[hit.place], hit.wave))
-          {
-            found[t / TrianglesAtOnce].push_back(hit);
-          }
+          foldHits.push_back(hit);
         }
       }
-    });
-  std::vector<Hit> hits;
-  for (const std::vector<Hit>& piece : found)
-  {
-    hits.insert(hits.end(), piece.begin(), piece.end());
+    }
   }
-  combineHits(hits, rule, map);
+  combineHits(hits, foldHits, rule, map);
   return map;
 }
 

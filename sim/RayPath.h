@@ -7,6 +7,7 @@
 #include "sim/Seafloor.h"
 
 #include <optional>
+#include <vector>
 
 namespace swellray
 {
@@ -62,7 +63,7 @@ enum class FrontMeasure
 /**
  * One ray on its way: advances from front to front and says what ended it.
  *
- * A path is used by one thread at a time. No step allocates memory.
+ * A path is used by one thread at a time. No step allocates memory, unless it touches a caustic.
  */
 class RayPath
 {
@@ -75,6 +76,9 @@ public:
    * @return true when the target was reached, false when the ray ended before
    */
   virtual bool advance(FrontMeasure measure, double target, RayPoint& point) = 0;
+
+  /** Caustics touched up to the point last described, with no curvature: that takes neighbours. */
+  virtual std::vector<RayCaustic> caustics() { return {}; }
 
   bool ended() const { return this->Ended; }
   /** What ended the ray; only meaningful once ended(). */

@@ -429,6 +429,8 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
   const double area = weight[0] + weight[1] + weight[2];
   wave = WaveSheet();
   double inverseSquare = 0.0;
+  double width = 0.0;
+  double lossless = 0.0; // height without refraction
   std::size_t heaviest = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -442,6 +444,11 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
     wave.phase +=
       weight[i] * (this->Rays.lines.phase[point] + 0.5 * glm::dot(k, place - this->position(point)) / scale);
     wave.height += weight[i] * this->Rays.height[point];
+    if (this->Rays.refraction && this->Rays.tubeWidth)
+    {
+      width += weight[i] * this->Rays.tubeWidth[point];
+      lossless += weight[i] * this->Rays.height[point] / this->Rays.refraction[point];
+    }
     inverseSquare += weight[i] / (this->Rays.height[point] * this->Rays.height[point]);
     wave.lee = wave.lee || this->LeePoint[static_cast<std::size_t>(point)];
   }
@@ -449,6 +456,8 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
   {
     wave.height = 1.0 / std::sqrt(inverseSquare);
   }
+  const double branch = lossless / std::sqrt(std::abs(width));
+  wave.branch = lossless > 0.0 && std::isfinite(branch) ? branch : wave.height;
   wave.broken = this->Rays.breaking[triangle[heaviest]] != 0;
   wave.caustics = this->Rays.caustics[triangle[heaviest]];
   // The launch parameter grows to the left of the rays: a tube that has not turned over is anticlockwise.

@@ -2,6 +2,7 @@
 
 #include "sim/Crests.h"
 #include "sim/Obstacles.h"
+#include "sim/RayCaustic.h"
 #include "sim/Seafloor.h"
 
 #include <array>
@@ -27,12 +28,24 @@ struct SheetRays
   const std::int32_t* caustics = nullptr;    ///< a point
   const std::uint8_t* breaking = nullptr;    ///< a point
   const std::uint8_t* state = nullptr;       ///< a point, RayState
+
+  /**
+   * Refraction coefficient with which the height was made, and signed width of the ray tube (beta), a point. With both of
+   * them WaveSheet::branch is free of all that keeps heights finite at caustics; null: it is the height.
+   */
+  const double* refraction = nullptr;
+  const double* tubeWidth = nullptr;
+
+  const RayCaustic* touched =
+    nullptr; ///< places at which the rays touch caustics; RayCaustic::ray is one of these rays
+  std::size_t touchedCount = 0;
 };
 
 /** The wave that one sheet of rays brings to a place. */
 struct WaveSheet
 {
-  double height = 0.0;          ///< m
+  double height = 0.0; ///< m
+  double branch = 0.0; ///< geometric height, m: of this branch of a caustic alone, growing without limit towards it
   glm::dvec2 wavenumber{ 0.0 }; ///< rad/m
   double phase = 0.0;           ///< S, rad
   int caustics = 0;             ///< passed (KMAH index)
@@ -73,6 +86,8 @@ public:
    * @throws std::runtime_error where a position, phase, wavenumber or direction is not finite
    */
   RaySheets(const SheetRays& rays, double maxSpacing);
+
+  const SheetRays& rays() const { return this->Rays; }
 
   /** Ordered along the rays; the same for the same rays. */
   const std::vector<Triangle>& triangles() const { return this->Triangles; }

@@ -2,9 +2,11 @@
 
 #include "sim/Angles.h"
 #include "sim/BreakingMarch.h"
+#include "sim/RayFolds.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -22,6 +24,11 @@ void requirePositive(const char* name, double value, bool infinityAllowed)
     message << name << " must be above 0, not " << value;
     throw std::invalid_argument(message.str());
   }
+}
+
+double square(double x)
+{
+  return x * x;
 }
 
 // Slope of the bed along the ray, rising forward, from the depths at three points; second order in their distance.
@@ -64,8 +71,25 @@ void requireArrays(const RayProfile& profile, const HeightOptions& options)
   {
     throw std::invalid_argument("breaking by weggel needs the positions of the ray");
   }
+  if (profile.causticCount > 0 && !(profile.caustics && profile.phase))
+  {
+    throw std::invalid_argument("caustics need the phases of the ray");
+  }
 }
 
+}
+
+const char* causticRuleName(CausticRule rule)
+{
+  switch (rule)
+  {
+  case CausticRule::Geometric:
+    return "geometric";
+  case CausticRule::Cap:
+    return "cap";
+  default:
+    return "uniform";
+  }
 }
 
 void HeightOptions::validate() const
@@ -149,14 +173,25 @@ void computeHeights(
   const bool spacing = options.amplitude == AmplitudeRule::Spacing;
   const double* const first = spacing ? profile.krSpacing : profile.krTube;
   const double* const second = spacing ? profile.krTube : profile.krSpacing;
+  const bool uniform = options.caustics == CausticRule::Uniform;
+  const RayFolds folds(
+    profile.caustics, uniform ? profile.causticCount : 0, profile.phase, profile.wavenumber, profile.count);
+  const double cap = options.caustics == CausticRule::Geometric ? std::numeric_limits<double>::infinity()
+                                                                : std::max(options.maxRefraction, folds.highestPeak());
   const double fluxFactor = SeaWaterDensity * wave.gravity / 8.0;
   const std::vector<double> way = waysAlong(profile);
 
-  double refraction = std::min(1.0, options.maxRefraction); // in use until one is known
+  double refraction = std::min(1.0, cap); // in use until one is known
   const auto sampleAt = [&](std::size_t i)
   {
-    const double known = std::isnan(first[i]) ? second[i] : first[i];
-    refraction = std::isnan(known) ? refraction : std::min(known, options.maxRefraction);
+    double known = std::isnan(first[i]) ? second[i] : first[i];
+    if (!folds.empty() && !std::isnan(known))
+    {
+      const double share = std::isnan(profile.krTube[i]) ? 0.0 : folds.tubeShare(i);
+      const double tube = share > 0.0 ? share / square(profile.krTube[i]) : 0.0;
+      known = folds.refraction(i, (1.0 - share) / square(known) + tube);
+    }
+    refraction = std::isnan(known) ? refraction : std::min(known, cap);
     SurfSample sample;
     sample.depth = profile.depth[i];
     sample.wavenumber = profile.wavenumber[i];

@@ -18,6 +18,17 @@ enum class AmplitudeRule
   Tube,    ///< from dynamic ray tracing along each ray
 };
 
+/** What becomes of the height next to a caustic, where the tube has no width. */
+enum class CausticRule
+{
+  Uniform,   ///< finite at folds by the modulus of the Airy function (RayFolds); else as Cap
+  Geometric, ///< infinite
+  Cap,       ///< limited by HeightOptions::maxRefraction
+};
+
+/** As the command line names it. */
+const char* causticRuleName(CausticRule rule);
+
 /** Breaker index H/h unless set. */
 constexpr double StandardGamma = 0.78;
 
@@ -27,7 +38,13 @@ struct HeightOptions
   BreakingRule breaking = BreakingRule::Gamma;
   std::optional<double> gamma; ///< breaker index H/h, > 0; none: breakerIndex()
   double friction = 0.0;       ///< bottom friction factor fw (Jonsson 1966), >= 0
-  double maxRefraction = 3.0;  ///< cap of the refraction coefficient at caustics, > 0
+  CausticRule caustics = CausticRule::Uniform;
+
+  /**
+   * Cap of the refraction coefficient, > 0. With CausticRule::Uniform it gives way to the fold's own peak along rays on
+   * which that is higher.
+   */
+  double maxRefraction = 3.0;
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;
@@ -52,18 +69,21 @@ struct RayHeights
 struct RayProfile
 {
   std::size_t count = 0;
-  const double* position = nullptr;    ///< x, y, z a point, m; null: ways and slopes are 0, breaker types not known
-  const double* scale = nullptr;       ///< length on the map of the Earth over true length; null: 1
-  const double* travelTime = nullptr;  ///< s; null allowed where nothing is lost by the way
-  const double* depth = nullptr;       ///< m
-  const double* wavenumber = nullptr;  ///< rad/m
-  const double* groupSpeed = nullptr;  ///< relative to the water, m/s
-  const double* shoaling = nullptr;    ///< Ks, -
-  const double* krSpacing = nullptr;   ///< -, NaN or infinite allowed
-  const double* krTube = nullptr;      ///< -
-  const std::uint8_t* state = nullptr; ///< RayState
-  RayLosses before;                    ///< what the wave had lost before the ray began: inserted rays
-  double reflection = 1.0;             ///< product of the coefficients of the obstacles that reflected it
+  const double* position = nullptr;     ///< x, y, z a point, m; null: ways and slopes are 0, breaker types not known
+  const double* scale = nullptr;        ///< length on the map of the Earth over true length; null: 1
+  const double* travelTime = nullptr;   ///< s; null allowed where nothing is lost by the way
+  const double* depth = nullptr;        ///< m
+  const double* wavenumber = nullptr;   ///< rad/m
+  const double* groupSpeed = nullptr;   ///< relative to the water, m/s
+  const double* shoaling = nullptr;     ///< Ks, -
+  const double* krSpacing = nullptr;    ///< -, NaN or infinite allowed
+  const double* krTube = nullptr;       ///< -
+  const std::uint8_t* state = nullptr;  ///< RayState
+  RayLosses before;                     ///< what the wave had lost before the ray began: inserted rays
+  double reflection = 1.0;              ///< product of the coefficients of the obstacles that reflected it
+  const double* phase = nullptr;        ///< S, rad, increasing; null allowed without caustics
+  const RayCaustic* caustics = nullptr; ///< touched by the ray
+  std::size_t causticCount = 0;
 };
 
 /** What is known of the losses of one ray: plain arrays, one entry a point. */
@@ -99,7 +119,7 @@ double deepWaterHeight(const IncidentWave& wave);
  * breaking by the rule. With Battjes-Janssen H0 and all heights are root mean square heights of a sea of narrow
  * spectrum, Hrms = Hm0/sqrt 2, and the period is that of its peak; otherwise heights of a regular wave.
  *
- * Ks is taken as the tracer found it. Where the rule's coefficient is not known (NaN) the other one is taken; an
+ * Ks is taken as the tracer found it. Next to a fold caustic the width of the tube is that of the tube equation. Where the rule's coefficient is not known (NaN) the other one is taken; an
  * aground ray is no higher than gamma h. Slopes are those of the bed along the ray, from the depths at the points.
  * @param result resized to profile.count
  * @throws std::invalid_argument on a bad wave or option, or where the profile lacks what these need

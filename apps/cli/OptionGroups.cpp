@@ -111,9 +111,12 @@ std::vector<OptionSpec> heightOptions(RayRequest& rays)
       height.amplitude,
       std::vector<std::pair<std::string, AmplitudeRule>>{
         { "spacing", AmplitudeRule::Spacing }, { "tube", AmplitudeRule::Tube } }),
-    choice("--caustics", "heights at caustics: limited by --kr-max, or infinite", "cap", group, rays.geometricCaustics,
-      std::vector<std::pair<std::string, bool>>{ { "cap", false }, { "geometric", true } }),
-    number("--kr-max", "K", "largest refraction coefficient", "3", group, rays.maxRefraction, PositiveNumber),
+    choice("--caustics", "heights at caustics: finite at folds by the Airy function, infinite, or limited by --kr-max",
+      "uniform", group, height.caustics,
+      std::vector<std::pair<std::string, CausticRule>>{
+        { "uniform", CausticRule::Uniform }, { "geometric", CausticRule::Geometric }, { "cap", CausticRule::Cap } }),
+    number("--kr-max", "K", "largest refraction coefficient where a caustic is no fold", "3", group, rays.maxRefraction,
+      PositiveNumber),
     choice("--breaking", "limit of the height in shallow water", "gamma", group, height.breaking,
       std::vector<std::pair<std::string, BreakingRule>>{ { "none", BreakingRule::None },
         { "gamma", BreakingRule::Gamma }, { "weggel", BreakingRule::Weggel }, { "miche", BreakingRule::Miche },
@@ -241,18 +244,11 @@ std::vector<OptionSpec> commonOptions(Request& request)
 
 void checkRays(RayRequest& rays)
 {
-  if (rays.geometricCaustics && rays.maxRefraction)
+  if (rays.height.caustics == CausticRule::Geometric && rays.maxRefraction)
   {
-    throw UsageError("--kr-max belongs to --caustics cap; leave out one of the two");
+    throw UsageError("--kr-max limits nothing with --caustics geometric; leave out one of the two");
   }
-  if (rays.geometricCaustics)
-  {
-    rays.height.maxRefraction = std::numeric_limits<double>::infinity();
-  }
-  else if (rays.maxRefraction)
-  {
-    rays.height.maxRefraction = *rays.maxRefraction;
-  }
+  rays.height.maxRefraction = rays.maxRefraction.value_or(rays.height.maxRefraction);
   try
   {
     rays.height.validate();

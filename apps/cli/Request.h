@@ -41,7 +41,6 @@ struct RayRequest
   std::optional<double> reflection;  ///< of obstacles that have none of their own
   std::optional<int> maxReflections; ///< of one wave
   HeightOptions height;
-  bool geometricCaustics = false;      ///< no cap of the refraction coefficient
   std::optional<double> maxRefraction; ///< the cap where one was given
 };
 

@@ -70,4 +70,63 @@ TEST(Caustic, BranchesOutOfOrderAreRays)
   EXPECT_NEAR(std::abs(foldWave({ 1.0, 3.0 }, { 0.0, 2.0 })), 1.0, 1e-12);
 }
 
+TEST(Caustic, ModulusIsThatOfBothAiryFunctions)
+{
+  // Ai(-z), Bi(-z) (Abramowitz and Stegun 1964, table 10.11).
+  const double table[][3] = { { 0.1, 0.38084867, 0.56999904 }, { 0.5, 0.47572809, 0.38035266 },
+    { 1.0, 0.53556088, 0.10399739 } };
+  for (const auto& [z, airy, other] : table)
+  {
+    const double expected = std::sqrt(Pi) * std::pow(z, 0.25) * std::hypot(airy, other);
+    EXPECT_NEAR(foldModulus(2.0 / 3.0 * std::pow(z, 1.5)), expected, 4.0 * TableRounding) << z;
+  }
+  EXPECT_EQ(foldModulus(0.0), 0.0);
+}
+
+TEST(Caustic, ModulusGrowsToOne)
+{
+  double before = 0.0;
+  for (double half = 1e-6; half < 1e5; half *= 1.1)
+  {
+    const double now = foldModulus(half);
+    EXPECT_GT(now, before) << half;
+    before = now;
+  }
+  EXPECT_NEAR(before, 1.0, 1e-10);
+  // Where the series begins.
+  EXPECT_NEAR(foldModulus(20.0 * (1.0 + 1e-12)) - foldModulus(20.0), 0.0, 1e-8);
+}
+
+TEST(Caustic, PeakIsTheLimitOnTheCaustic)
+{
+  RayCaustic caustic;
+  caustic.fanWavenumber = 0.07;
+  caustic.widthRate = -2e-3;
+  caustic.alongRate = 1.5;
+  caustic.alongChange = 0.0;
+  const double curvature = roundedCurvature(caustic);
+  EXPECT_NEAR(curvature, 2e-3 / 1.5, 1e-12);
+  // The rest falls as z, the square of the way.
+  const double way = 1e-3;
+  const double half = caustic.fanWavenumber * curvature * curvature * way * way * way / 3.0;
+  EXPECT_NEAR(foldModulus(half) / std::sqrt(2e-3 * way), foldPeak(caustic, curvature), 1e-6);
+}
+
+TEST(Caustic, PeakOfACuspIsPearceysIntegral)
+{
+  // |integral of exp(i u^4)| = 2 Gamma(5/4); by stationary phase next to the cusp (Caustic.h).
+  RayCaustic caustic;
+  caustic.fanWavenumber = 0.07;
+  caustic.alongRate = 0.0;
+  caustic.alongChange = -0.02;
+  for (const double rate : { 1e-3, -4e-3 })
+  {
+    caustic.widthRate = rate;
+    const double fourth = caustic.fanWavenumber * rate * rate * 0.02; // derivative of the phase by lambda
+    const double expected = std::sqrt(caustic.fanWavenumber * std::abs(rate) / (2.0 * Pi)) *
+      std::pow(24.0 / fourth, 0.25) * 2.0 * std::tgamma(1.25);
+    EXPECT_NEAR(foldPeak(caustic, roundedCurvature(caustic)), expected, 1e-9 * expected) << rate;
+  }
+}
+
 }

@@ -516,7 +516,7 @@ TEST(CombineSheets, ShiftsByAQuarterWaveACaustic)
   std::vector<WaveSheet> sheets(2);
   for (WaveSheet& sheet : sheets)
   {
-    sheet.height = 1.0;
+    sheet.height = sheet.branch = 1.0;
     sheet.wavenumber = { 0.5, 0.0 };
     sheet.phase = 3.0;
   }
