@@ -270,6 +270,12 @@ bool FoldStrips::wave(std::size_t index, const glm::dvec2& place, FoldShare& sha
     return false;
   }
 
+  const Obstacles* walls = this->Sheets.rays().obstacles;
+  if (walls && walls->crosses(this->place(strip, u, 0.0), place))
+  {
+    return false;
+  }
+
   const double z1 = between(a.z1, b.z1, u);
   const double z2 = between(a.z2, b.z2, u);
   // Towards the dark z must go on falling.

@@ -12,7 +12,7 @@ std::vector<Case> allCases()
 {
   std::vector<Case> cases;
   for (const auto& family : { dispersionCases, straightCases, designCases, shallowCases, circularCases, ellipticCases,
-         breakingCases, currentCases, ellipsoidCases, gridCases, schemeCases, mildSlopeCases })
+         breakingCases, currentCases, ellipsoidCases, gridCases, schemeCases, waveFieldCases, mildSlopeCases })
   {
     for (Case& one : family())
     {

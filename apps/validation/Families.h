@@ -18,5 +18,6 @@ std::vector<Case> ellipsoidCases();
 std::vector<Case> gridCases();
 std::vector<Case> schemeCases();
 std::vector<Case> mildSlopeCases();
+std::vector<Case> waveFieldCases();
 
 }

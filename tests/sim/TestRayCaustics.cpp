@@ -47,6 +47,13 @@ struct PlaneFold
   {
   }
 
+  /** Phase at which a ray that starts with 0 turns. */
+  double turningPhase() const
+  {
+    const double tau = 2.0 * std::sqrt(this->k0 * this->k0 - this->ky * this->ky) / this->mu;
+    return this->k0 * this->k0 * tau - this->mu * this->mu * tau * tau * tau / 6.0;
+  }
+
   /** The ray that starts at y, in its tube, as far as this phase. */
   RayField trace(const std::vector<double>& starts, double phase, double step) const
   {
@@ -88,12 +95,12 @@ TEST(RayCaustics, areTouchedWhereTheRayTurns)
   {
     const PlaneFold fold(d);
     const double turning = 2.0 * std::sqrt(fold.k0 * fold.k0 - fold.ky * fold.ky) / fold.mu;
-    const double phase = fold.k0 * fold.k0 * turning - fold.mu * fold.mu * turning * turning * turning / 24.0;
-    const RayField field = fold.trace({ 0.0 }, 1.5 * phase, 3.0);
+    const RayField field = fold.trace({ 0.0 }, 1.5 * fold.turningPhase(), 3.0);
     ASSERT_EQ(field.caustics.size(), 1u);
     const RayCaustic& caustic = field.caustics[0];
     EXPECT_EQ(caustic.number, 1);
     EXPECT_NEAR(caustic.position.x, d.length, PositionTolerance);
+    EXPECT_NEAR(caustic.phase / fold.turningPhase(), 1.0, PositionTolerance);
     EXPECT_NEAR(caustic.position.y, fold.ky * turning, 1e3 * PositionTolerance); // the ray runs along y there
     EXPECT_NEAR(caustic.rayDirection.y, 1.0, RelativeTolerance);
     EXPECT_NEAR(caustic.wavenumber.y / fold.ky, 1.0, RelativeTolerance);
@@ -133,7 +140,7 @@ TEST(RayCaustics, aPlaneFoldIsStraight)
   for (const Design& d : Folds)
   {
     const PlaneFold fold(d);
-    const RayField field = fold.trace({ 0.0, 40.0, 110.0 }, 1.2 * fold.k0 * 6.0 * d.length, 3.0);
+    const RayField field = fold.trace({ 0.0, 40.0, 110.0 }, 1.5 * fold.turningPhase(), 3.0);
     ASSERT_EQ(field.caustics.size(), 3u);
     for (const RayCaustic& caustic : field.caustics)
     {
@@ -245,7 +252,7 @@ TEST(RayCaustics, heightsAreTheModulusOfAPlaneFold)
   {
     const PlaneFold fold(d);
     const double step = 2.0 * swellray::Pi / 64.0;
-    const RayField field = fold.trace({ 0.0, 30.0, 60.0 }, fold.k0 * 5.0 * d.length, step);
+    const RayField field = fold.trace({ 0.0, 30.0, 60.0 }, 1.9 * fold.turningPhase(), step);
     IncidentWave wave;
     wave.period = d.period;
     wave.offshoreDepth = d.depth;

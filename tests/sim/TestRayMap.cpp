@@ -526,4 +526,39 @@ TEST(CombineSheets, ShiftsByAQuarterWaveACaustic)
   EXPECT_NEAR(combineSheets(sheets.data(), 2, CombineRule::Phase).height, 0.0, Rounding);
 }
 
+TEST(CombineSheets, AStripTakesThePlaceOfItsTwoBranches)
+{
+  std::vector<WaveSheet> sheets(3);
+  for (WaveSheet& sheet : sheets)
+  {
+    sheet.height = sheet.branch = 1.0;
+    sheet.wavenumber = { 0.5, 0.0 };
+    sheet.phase = 3.0;
+  }
+  sheets[1].caustics = 1;
+  sheets[1].phase = 3.4;
+  sheets[2].phase = 20.0; // another wave
+  FoldShare fold;
+  fold.wave = std::polar(2.0, 20.0);
+  fold.number = 1;
+  fold.middle = 3.2;
+  fold.half = 0.2;
+  const auto height = [&](double weight)
+  {
+    fold.weight = weight;
+    return combineSheets(sheets.data(), 3, CombineRule::Phase, &fold, 1).height;
+  };
+  EXPECT_NEAR(height(0.0), combineSheets(sheets.data(), 3, CombineRule::Phase).height, Rounding);
+  EXPECT_NEAR(height(1.0), 3.0, Rounding);
+  // With energies it has no part.
+  EXPECT_NEAR(combineSheets(sheets.data(), 3, CombineRule::Energy, &fold, 1).height, std::sqrt(3.0), Rounding);
+  // On the dark side it is alone.
+  fold.wavenumber = { 0.0, 0.5 };
+  const CombinedWave dark = combineSheets(nullptr, 0, CombineRule::Phase, &fold, 1);
+  EXPECT_NEAR(dark.height, 2.0, Rounding);
+  EXPECT_NEAR(dark.directionFrom, 180.0, Rounding);
+  EXPECT_EQ(dark.count, 0);
+  EXPECT_TRUE(std::isnan(combineSheets(nullptr, 0, CombineRule::Energy, &fold, 1).height));
+}
+
 }
