@@ -28,6 +28,9 @@ constexpr std::size_t RowsAtOnce = 8;
 // Below this share of its parts a mean direction is rounding.
 constexpr double NoMean = 1e-12;
 
+// Geometric heights are taken to be right up to this many times what the modulus on a sheet says.
+constexpr double LargestBranch = 1.5;
+
 // Next to a caustic the sheets' phases are off by less than this, rad.
 constexpr double Ragged = 0.7;
 
@@ -63,6 +66,13 @@ std::size_t branchBefore(const WaveSheet* sheets, std::size_t count, std::size_t
   return before;
 }
 
+// Geometric height of a branch, from its own modulus where the sheet is too coarse for a tube that closes.
+double branchOf(const WaveSheet& sheet, double half)
+{
+  const double own = sheet.height / foldModulus(half);
+  return sheet.branch < LargestBranch * own ? sheet.branch : own;
+}
+
 // Interference of all sheets, the two branches of each fold together, and of the strips that take their place.
 std::complex<double> interfere(
   const WaveSheet* sheets, std::size_t count, const FoldShare* folds, std::size_t foldCount)
@@ -79,25 +89,35 @@ std::complex<double> interfere(
       weight[i] *= branch && std::abs(sheets[i].phase - fold->middle) < fold->half + Ragged ? 1.0 - fold->weight : 1.0;
     }
   }
-  // A branch without its other one is as high as its own modulus.
-  std::vector<char> paired(count, 0);
+  // Amplitude of each sheet: of a branch, that of its nearest caustic; without another branch as high as its own modulus.
+  std::vector<std::size_t> before(count);
+  std::vector<double> half(count, std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::size_t before = branchBefore(sheets, count, i);
-    if (before < count)
+    before[i] = branchBefore(sheets, count, i);
+    if (before[i] < count)
     {
-      paired[i] = paired[before] = 1;
-      const FoldBranch a{ sheets[before].branch, sheets[before].phase };
-      const FoldBranch b{ sheets[i].branch, sheets[i].phase };
-      const std::complex<double> rays = std::polar(a.amplitude, a.phase) + std::polar(b.amplitude, b.phase - 0.5 * Pi);
-      sum += std::min(weight[i], weight[before]) * std::polar(1.0, -0.5 * Pi * sheets[before].caustics) *
-        (foldWave(a, b) - rays);
+      const double between = 0.5 * (sheets[i].phase - sheets[before[i]].phase);
+      half[i] = std::min(half[i], between);
+      half[before[i]] = std::min(half[before[i]], between);
     }
+  }
+  std::vector<FoldBranch> branch(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    branch[i] = { std::isinf(half[i]) ? sheets[i].height : branchOf(sheets[i], half[i]), sheets[i].phase };
+    sum += weight[i] * std::polar(branch[i].amplitude, branch[i].phase - 0.5 * Pi * sheets[i].caustics);
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    sum += weight[i] *
-      std::polar(paired[i] ? sheets[i].branch : sheets[i].height, sheets[i].phase - 0.5 * Pi * sheets[i].caustics);
+    if (before[i] < count)
+    {
+      const FoldBranch& a = branch[before[i]];
+      const std::complex<double> rays =
+        std::polar(a.amplitude, a.phase) + std::polar(branch[i].amplitude, branch[i].phase - 0.5 * Pi);
+      sum += std::min(weight[i], weight[before[i]]) * std::polar(1.0, -0.5 * Pi * sheets[before[i]].caustics) *
+        (foldWave(a, branch[i]) - rays);
+    }
   }
   return sum;
 }

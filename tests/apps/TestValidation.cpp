@@ -78,8 +78,9 @@ TEST(Validation, NamesEveryCaseOnce)
          "c3_design_parabola_island", "c3_design_spiral_island", "c3_shallow_island_cone", "c3_shallow_island_par",
          "c3_shallow_plane_cycloid", "c3_shallow_x2_circle", "c4_island_cone", "c4_island_parabolic", "c4_shoal_gauss",
          "c4_shoal_gauss_caustic", "c4_shoal_poly3", "c4_shoal_poly3_caustic", "c5_bar_A", "c5_dean_A",
-         "c5_trapped_plane_1", "c5_trapped_plane_2", "c6_breaking", "c7c_berkhoff_caustic", "c7c_berkhoff_rays",
-         "c8_jet_1", "c8_jet_2", "c8_jet_3", "c8_jet_4", "c8_collinear", "c8_eddy" })
+         "c5_trapped_plane_1", "c5_trapped_plane_2", "c6_breaking", "c7a_fold_airy", "c7b_luneburg_wave",
+         "c7b_shoal_poly3_wave", "c7c_berkhoff_caustic", "c7c_berkhoff_rays", "c8_jet_1", "c8_jet_2", "c8_jet_3",
+         "c8_jet_4", "c8_collinear", "c8_eddy" })
   {
     EXPECT_EQ(names.count(stem), 1u) << stem;
   }
