@@ -1,0 +1,278 @@
+#include "sim/DirectionalSpectrum.h"
+
+#include "sim/Angles.h"
+#include "sim/GaussRule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace swellray
+{
+
+namespace
+{
+
+void requireIncreasing(const std::vector<double>& values, const char* name)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    if (!std::isfinite(values[i]) || (i > 0 && !(values[i] > values[i - 1])))
+    {
+      throw std::invalid_argument(std::string("the ") + name + " of a spectrum must increase; number " +
+        std::to_string(i + 1) + " is " + std::to_string(values[i]));
+    }
+  }
+}
+
+// Period of the largest value of a spectrum over frequency, by a parabola through it and its neighbours.
+double peakPeriod(const std::vector<double>& f, const std::vector<double>& s)
+{
+  const std::size_t i = static_cast<std::size_t>(std::max_element(s.begin(), s.end()) - s.begin());
+  if (i == 0 || i + 1 == s.size())
+  {
+    return 1.0 / f[i];
+  }
+  const double a = f[i - 1] - f[i];
+  const double b = f[i + 1] - f[i];
+  const double u = s[i - 1] - s[i];
+  const double v = s[i + 1] - s[i];
+  // s = c1 x + c2 x^2 through (a, u), (b, v).
+  const double c2 = (u / a - v / b) / (a - b);
+  const double c1 = u / a - c2 * a;
+  return c2 < 0.0 ? 1.0 / (f[i] - 0.5 * c1 / c2) : 1.0 / f[i];
+}
+
+}
+
+bool SpectralGrid::isCircle() const
+{
+  if (headings.size() < 3)
+  {
+    return false;
+  }
+  const double last = 2.0 * Pi - (headings.back() - headings.front());
+  const double mean = (headings.back() - headings.front()) / static_cast<double>(headings.size() - 1);
+  return last < 2.0 * mean;
+}
+
+std::vector<double> SpectralGrid::frequencyWeights() const
+{
+  const std::size_t n = frequencies.size();
+  std::vector<double> weights(n);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    weights[i] = 0.5 * (frequencies[std::min(i + 1, n - 1)] - frequencies[i > 0 ? i - 1 : 0]);
+  }
+  return weights;
+}
+
+std::vector<double> SpectralGrid::headingWeights() const
+{
+  const std::size_t n = headings.size();
+  std::vector<double> weights(n);
+  const bool circle = this->isCircle();
+  for (std::size_t j = 0; j < n; ++j)
+  {
+    const double before = j > 0 ? headings[j - 1] : (circle ? headings.back() - 2.0 * Pi : headings[0]);
+    const double after = j + 1 < n ? headings[j + 1] : (circle ? headings.front() + 2.0 * Pi : headings[j]);
+    weights[j] = 0.5 * (after - before);
+  }
+  return weights;
+}
+
+void SpectralGrid::validate() const
+{
+  if (frequencies.size() < 2 || headings.size() < 2)
+  {
+    throw std::invalid_argument("a directional spectrum needs at least two frequencies and two directions");
+  }
+  requireIncreasing(frequencies, "frequencies");
+  requireIncreasing(headings, "directions");
+  if (!(frequencies.front() > 0.0))
+  {
+    throw std::invalid_argument(
+      "the frequencies of a spectrum must be above 0; the first is " + std::to_string(frequencies.front()));
+  }
+  if (headings.back() - headings.front() >= 2.0 * Pi)
+  {
+    throw std::invalid_argument("the directions of a spectrum must lie within less than a circle");
+  }
+}
+
+SpectralGrid SpectralGrid::logarithmic(
+  double lowest, double highest, std::size_t frequencyCount, std::size_t headingCount)
+{
+  if (!(lowest > 0.0 && highest > lowest && frequencyCount >= 2 && headingCount >= 3))
+  {
+    throw std::invalid_argument("a spectral grid needs frequencies from above 0 to higher, at least 2 of them, and at "
+                                "least 3 directions");
+  }
+  SpectralGrid grid;
+  const double ratio = std::log(highest / lowest) / static_cast<double>(frequencyCount - 1);
+  for (std::size_t i = 0; i < frequencyCount; ++i)
+  {
+    grid.frequencies.push_back(lowest * std::exp(ratio * static_cast<double>(i)));
+  }
+  for (std::size_t j = 0; j < headingCount; ++j)
+  {
+    grid.headings.push_back(2.0 * Pi * static_cast<double>(j) / static_cast<double>(headingCount));
+  }
+  return grid;
+}
+
+double DirectionalSpectrum::interpolate(double frequency, double heading) const
+{
+  const auto& f = grid.frequencies;
+  const auto& h = grid.headings;
+  if (!(frequency >= f.front() && frequency <= f.back()))
+  {
+    return 0.0;
+  }
+  const std::size_t i =
+    std::clamp<std::size_t>(
+      static_cast<std::size_t>(std::upper_bound(f.begin(), f.end(), frequency) - f.begin()), 1, f.size() - 1) -
+    1;
+  const double u = (frequency - f[i]) / (f[i + 1] - f[i]);
+  const double turned = h.front() + std::fmod(std::fmod(heading - h.front(), 2.0 * Pi) + 2.0 * Pi, 2.0 * Pi);
+  std::size_t a = static_cast<std::size_t>(std::upper_bound(h.begin(), h.end(), turned) - h.begin()) - 1;
+  std::size_t b = a + 1;
+  double next = 0.0;
+  if (b == h.size())
+  {
+    if (!grid.isCircle())
+    {
+      return a + 1 == h.size() && turned == h.back() ? (1.0 - u) * this->at(i, a) + u * this->at(i + 1, a) : 0.0;
+    }
+    b = 0;
+    next = h.front() + 2.0 * Pi;
+  }
+  else
+  {
+    next = h[b];
+  }
+  const double v = (turned - h[a]) / (next - h[a]);
+  return (1.0 - u) * ((1.0 - v) * this->at(i, a) + v * this->at(i, b)) +
+    u * ((1.0 - v) * this->at(i + 1, a) + v * this->at(i + 1, b));
+}
+
+std::vector<double> DirectionalSpectrum::overFrequency() const
+{
+  const std::vector<double> weights = grid.headingWeights();
+  std::vector<double> result(grid.frequencies.size(), 0.0);
+  for (std::size_t i = 0; i < result.size(); ++i)
+  {
+    for (std::size_t j = 0; j < weights.size(); ++j)
+    {
+      result[i] += weights[j] * this->at(i, j);
+    }
+  }
+  return result;
+}
+
+DirectionalSpectrum DirectionalSpectrum::sample(const SpectralGrid& grid, const FrequencySpectrum& spectrum,
+  const DirectionalSpreading& spreading, double meanHeading)
+{
+  grid.validate();
+  constexpr double LeastShare = 0.9;
+  const auto& f = grid.frequencies;
+  const double within = spectrum.shareBelow(f.back()) - spectrum.shareBelow(f.front());
+  if (!(within >= LeastShare))
+  {
+    throw std::invalid_argument("the frequencies " + std::to_string(f.front()) + " to " + std::to_string(f.back()) +
+      " Hz hold only " + std::to_string(100.0 * std::max(within, 0.0)) +
+      " % of the energy of the sea; widen them so that they hold 90 %");
+  }
+  DirectionalSpectrum result;
+  result.grid = grid;
+  result.density.assign(grid.size(), 0.0);
+  const std::vector<double> df = grid.frequencyWeights();
+  const std::vector<double> dh = grid.headingWeights();
+
+  // Hat-weighted means: panels no wider than a fiftieth of the peak frequency see the peak as it is.
+  std::vector<double> means(f.size(), 0.0);
+  for (std::size_t i = 0; i + 1 < f.size(); ++i)
+  {
+    const double width = f[i + 1] - f[i];
+    const int panels = std::max(1, static_cast<int>(std::ceil(50.0 * width / spectrum.peakFrequency())));
+    for (int p = 0; p < panels; ++p)
+    {
+      const double a = f[i] + width * p / panels;
+      const double b = f[i] + width * (p + 1) / panels;
+      const double whole = gaussPanel(a, b, [&](double x) { return spectrum.density(x); });
+      const double upper = gaussPanel(a, b, [&](double x) { return spectrum.density(x) * (x - f[i]) / width; });
+      means[i] += whole - upper;
+      means[i + 1] += upper;
+    }
+  }
+  double sum = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i)
+  {
+    double circle = 0.0;
+    for (std::size_t j = 0; j < dh.size(); ++j)
+    {
+      const double middle = grid.headings[j] - meanHeading;
+      const double share = spreading.share(f[i], middle - 0.5 * dh[j], middle + 0.5 * dh[j]);
+      result.density[i * dh.size() + j] = means[i] / df[i] * share / dh[j];
+      circle += share;
+    }
+    sum += means[i] * circle;
+  }
+  const double wanted = spectrum.moment(0);
+  for (double& value : result.density)
+  {
+    value *= wanted / sum;
+  }
+  return result;
+}
+
+SeaParameters seaParameters(const DirectionalSpectrum& spectrum)
+{
+  const auto& f = spectrum.grid.frequencies;
+  const std::vector<double> df = spectrum.grid.frequencyWeights();
+  const std::vector<double> dh = spectrum.grid.headingWeights();
+  const std::vector<double> s = spectrum.overFrequency();
+  double before = 0.0; // m-1
+  double m0 = 0.0;
+  double m1 = 0.0;
+  double m2 = 0.0;
+  double east = 0.0;
+  double north = 0.0;
+  for (std::size_t i = 0; i < f.size(); ++i)
+  {
+    const double energy = s[i] * df[i];
+    before += energy / f[i];
+    m0 += energy;
+    m1 += energy * f[i];
+    m2 += energy * f[i] * f[i];
+    for (std::size_t j = 0; j < dh.size(); ++j)
+    {
+      const double e = spectrum.at(i, j) * df[i] * dh[j];
+      east += e * std::cos(spectrum.grid.headings[j]);
+      north += e * std::sin(spectrum.grid.headings[j]);
+    }
+  }
+  SeaParameters parameters;
+  parameters.significantHeight = 4.0 * std::sqrt(std::max(m0, 0.0));
+  if (m0 > 0.0)
+  {
+    parameters.peakPeriod = peakPeriod(f, s);
+    parameters.meanPeriod01 = m0 / m1;
+    parameters.meanPeriod02 = std::sqrt(m0 / m2);
+    parameters.energyPeriod = before / m0;
+    const double r = std::hypot(east, north) / m0;
+    parameters.meanDirectionFrom = nauticalFromVector({ east, north });
+    parameters.spread = degrees(std::sqrt(std::max(0.0, 2.0 * (1.0 - r))));
+  }
+  else
+  {
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    parameters.peakPeriod = parameters.meanPeriod01 = parameters.meanPeriod02 = parameters.energyPeriod = none;
+    parameters.meanDirectionFrom = parameters.spread = none;
+  }
+  return parameters;
+}
+
+}
