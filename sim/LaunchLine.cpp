@@ -49,6 +49,18 @@ glm::dvec2 leftOf(const glm::dvec2& v)
 
 }
 
+std::optional<glm::dvec2> contourNormal(const Seafloor& seafloor, double waterLevel, std::optional<double> given)
+{
+  if (given)
+  {
+    const double heading = headingFromNautical(*given);
+    return glm::dvec2(std::cos(heading), std::sin(heading));
+  }
+  const BedPlane plane = fitWetPlane(seafloor, waterLevel);
+  const double slope = glm::length(plane.slope);
+  return plane.valid && slope >= SmallestSlope ? std::optional<glm::dvec2>(plane.slope / slope) : std::nullopt;
+}
+
 LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
   EdgeRule rule, std::optional<double> shoreNormal, const Current* current, const Obstacles* obstacles,
   const MapScale* map)
@@ -68,20 +80,7 @@ LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const Incide
   }
   if (rule == EdgeRule::Contours)
   {
-    if (shoreNormal)
-    {
-      const double heading = headingFromNautical(*shoreNormal);
-      this->ContourNormal = glm::dvec2(std::cos(heading), std::sin(heading));
-    }
-    else
-    {
-      const BedPlane plane = fitWetPlane(seafloor, waterLevel);
-      const double slope = glm::length(plane.slope);
-      if (plane.valid && slope >= SmallestSlope)
-      {
-        this->ContourNormal = plane.slope / slope;
-      }
-    }
+    this->ContourNormal = swellray::contourNormal(seafloor, waterLevel, shoreNormal);
   }
 
   const std::vector<glm::dvec2> corners = seafloor.outline();

@@ -20,6 +20,13 @@ enum class EdgeRule
   None,     ///< the offshore direction as given
 };
 
+/**
+ * Unit normal of the contours of a scene, towards the shore.
+ * @param given nautical degrees that its seaward normal points to; none: of the plane fitted to the wet depths
+ * @return none where that plane's slope is below 1e-4: the direction of waves at the edge is taken as given then
+ */
+std::optional<glm::dvec2> contourNormal(const Seafloor& seafloor, double waterLevel, std::optional<double> given);
+
 /** Where and how one ray starts: on a map of the Earth the state on the map (RayStart). */
 struct LaunchPoint
 {
