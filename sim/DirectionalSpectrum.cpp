@@ -228,6 +228,102 @@ DirectionalSpectrum DirectionalSpectrum::sample(const SpectralGrid& grid, const 
   return result;
 }
 
+DirectionalSpectrum resample(const DirectionalSpectrum& spectrum, const SpectralGrid& grid)
+{
+  grid.validate();
+  spectrum.grid.validate();
+  const auto& from = spectrum.grid;
+  const std::vector<double> df = grid.frequencyWeights();
+  const std::vector<double> dh = grid.headingWeights();
+  const bool circle = grid.isCircle();
+  const std::size_t sources = from.headings.size() - (from.isCircle() ? 0 : 1);
+
+  // Pieces finer than both grids; the function is bilinear in them, so that their middles hold their energy exactly.
+  const double fineFrequency = 0.25 * *std::min_element(df.begin(), df.end());
+  const double fineHeading = 0.25 * *std::min_element(dh.begin(), dh.end());
+  DirectionalSpectrum result;
+  result.grid = grid;
+  result.density.assign(grid.size(), 0.0);
+  double whole = 0.0;
+  double inside = 0.0;
+  for (std::size_t i = 0; i + 1 < from.frequencies.size(); ++i)
+  {
+    const double width = from.frequencies[i + 1] - from.frequencies[i];
+    const int parts = std::clamp(static_cast<int>(std::ceil(width / fineFrequency)), 1, 1000);
+    for (int p = 0; p < parts; ++p)
+    {
+      const double f = from.frequencies[i] + width * (p + 0.5) / parts;
+      const double held = std::clamp(f, grid.frequencies.front(), grid.frequencies.back());
+      const auto above = std::upper_bound(grid.frequencies.begin() + 1, grid.frequencies.end() - 1, held);
+      const auto a = static_cast<std::size_t>(above - grid.frequencies.begin()) - 1;
+      const double u = (held - grid.frequencies[a]) / (grid.frequencies[a + 1] - grid.frequencies[a]);
+      for (std::size_t j = 0; j < sources; ++j)
+      {
+        const double next = j + 1 < from.headings.size() ? from.headings[j + 1] : from.headings[0] + 2.0 * Pi;
+        const double turn = next - from.headings[j];
+        const int steps = std::clamp(static_cast<int>(std::ceil(turn / fineHeading)), 1, 1000);
+        for (int q = 0; q < steps; ++q)
+        {
+          const double h = from.headings[j] + turn * (q + 0.5) / steps;
+          const double energy = spectrum.interpolate(f, h) * (width / parts) * (turn / steps);
+          whole += energy;
+          inside += held == f ? energy : 0.0;
+          const double first = grid.headings.front();
+          const double turned = first + (h - first) - 2.0 * Pi * std::floor((h - first) / (2.0 * Pi));
+          const std::size_t c =
+            static_cast<std::size_t>(
+              std::upper_bound(grid.headings.begin(), grid.headings.end(), turned) - grid.headings.begin()) -
+            1;
+          const bool lastOne = c + 1 == grid.headings.size();
+          if (lastOne && !circle)
+          {
+            continue;
+          }
+          const std::size_t d = lastOne ? 0 : c + 1;
+          const double end = lastOne ? first + 2.0 * Pi : grid.headings[d];
+          const double v = (turned - grid.headings[c]) / (end - grid.headings[c]);
+          const std::size_t n = dh.size();
+          result.density[a * n + c] += energy * (1.0 - u) * (1.0 - v) / (df[a] * dh[c]);
+          result.density[a * n + d] += energy * (1.0 - u) * v / (df[a] * dh[d]);
+          result.density[(a + 1) * n + c] += energy * u * (1.0 - v) / (df[a + 1] * dh[c]);
+          result.density[(a + 1) * n + d] += energy * u * v / (df[a + 1] * dh[d]);
+        }
+      }
+    }
+  }
+  constexpr double LeastShare = 0.9;
+  if (whole > 0.0 && !(inside >= LeastShare * whole))
+  {
+    throw std::invalid_argument("the frequencies " + std::to_string(grid.frequencies.front()) + " to " +
+      std::to_string(grid.frequencies.back()) + " Hz hold only " + std::to_string(100.0 * inside / whole) +
+      " % of the energy of the sea; widen them so that they hold 90 %");
+  }
+  return result;
+}
+
+std::array<double, 2> energyBand(const DirectionalSpectrum& spectrum, double share)
+{
+  const auto& f = spectrum.grid.frequencies;
+  const std::vector<double> s = spectrum.overFrequency();
+  std::vector<double> below(f.size(), 0.0);
+  for (std::size_t i = 1; i < f.size(); ++i)
+  {
+    below[i] = below[i - 1] + 0.5 * (s[i] + s[i - 1]) * (f[i] - f[i - 1]);
+  }
+  if (!(below.back() > 0.0))
+  {
+    return { f.front(), f.back() };
+  }
+  const double cut = 0.5 * (1.0 - share) * below.back();
+  std::array<double, 2> band{ f.front(), f.back() };
+  for (std::size_t i = 1; i < f.size(); ++i)
+  {
+    band[0] = below[i] <= cut ? f[i] : band[0];
+    band[1] = below[i - 1] < below.back() - cut ? f[i] : band[1];
+  }
+  return band;
+}
+
 SeaParameters seaParameters(const DirectionalSpectrum& spectrum)
 {
   const auto& f = spectrum.grid.frequencies;

@@ -3,6 +3,7 @@
 #include "sim/DirectionalSpreading.h"
 #include "sim/FrequencySpectrum.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -75,6 +76,16 @@ struct DirectionalSpectrum
   static DirectionalSpectrum sample(const SpectralGrid& grid, const FrequencySpectrum& spectrum,
     const DirectionalSpreading& spreading, double meanHeading);
 };
+
+/**
+ * The same sea on another grid. Its energy is kept, and the integral of f E, but for what lies outside of the
+ * grid: that share of the energy is dealt to its ends.
+ * @throws std::invalid_argument on a bad grid, or where less than 90 % of the energy lies within its frequencies
+ */
+DirectionalSpectrum resample(const DirectionalSpectrum& spectrum, const SpectralGrid& grid);
+
+/** Frequencies between which this share of the energy lies, the same below and above, Hz. */
+std::array<double, 2> energyBand(const DirectionalSpectrum& spectrum, double share);
 
 /**
  * Heights, periods and directions of a sea. All moments by the weights of the grid, over its frequencies alone.

@@ -1,6 +1,7 @@
 // Spreading and directional spectra, against closed forms and sums over the circle.
 #include "sim/Angles.h"
 #include "sim/DirectionalSpectrum.h"
+#include "sim/SeaState.h"
 
 #include <gtest/gtest.h>
 
@@ -160,4 +161,54 @@ TEST(DirectionalSpectrum, refusesGridsThatMakeNoSense)
   none.density.assign(12, 0.0);
   EXPECT_EQ(seaParameters(none).significantHeight, 0.0);
   EXPECT_TRUE(std::isnan(seaParameters(none).meanDirectionFrom));
+}
+
+TEST(DirectionalSpectrum, resamplingKeepsHeightPeriodAndDirection)
+{
+  const auto sea = DirectionalSpectrum::sample(SpectralGrid::logarithmic(0.03, 0.6, 60, 72),
+    FrequencySpectrum::jonswap(2.0, 11.0), DirectionalSpreading::cosinePower(radians(20.0)), 6.2);
+  const SeaParameters before = seaParameters(sea);
+  for (const std::size_t count : { 20u, 90u })
+  {
+    const SpectralGrid grid = SpectralGrid::logarithmic(0.03, 0.6, count, 60);
+    const SeaParameters after = seaParameters(resample(sea, grid));
+    EXPECT_NEAR(after.significantHeight, before.significantHeight, 1e-9);
+    // m1 is a trapezoidal sum, which is not the integral of a linear density times f: (5 %)^2 of it.
+    EXPECT_NEAR(after.meanPeriod01 / before.meanPeriod01, 1.0, 2.5e-3);
+    EXPECT_NEAR(std::remainder(after.meanDirectionFrom - before.meanDirectionFrom, 360.0), 0.0, 0.01);
+    // Dealing to nodes 6 degrees apart widens by at most (3 degrees)^2.
+    EXPECT_NEAR(after.spread, before.spread, 0.25);
+  }
+  // A share outside of the grid is not lost, but the grid must hold most of it.
+  const SpectralGrid narrow = SpectralGrid::logarithmic(0.05, 0.3, 20, 36);
+  EXPECT_NEAR(seaParameters(resample(sea, narrow)).significantHeight, 2.0, 1e-9);
+  EXPECT_THROW(resample(sea, SpectralGrid::logarithmic(0.12, 0.3, 20, 36)), std::invalid_argument);
+}
+
+TEST(DirectionalSpectrum, bandHoldsTheShareAskedFor)
+{
+  const auto sea = DirectionalSpectrum::sample(SpectralGrid::logarithmic(0.03, 0.8, 200, 36),
+    FrequencySpectrum::piersonMoskowitz(1.0, 10.0), DirectionalSpreading::cosinePower(0.4), 0.0);
+  const auto band = energyBand(sea, 0.9);
+  // exp(-5/4 x^-4) = 0.05 and 0.95
+  EXPECT_NEAR(band[0], 0.1 * std::pow(1.25 / std::log(20.0), 0.25), 0.002);
+  EXPECT_NEAR(band[1], 0.1 * std::pow(1.25 / -std::log(0.95), 0.25), 0.01);
+}
+
+TEST(SeaState, makesTheSpectrumThatIsNamed)
+{
+  SeaState sea;
+  EXPECT_EQ(sea.spectrum().shape(), SpectrumShape::Jonswap);
+  EXPECT_NEAR(sea.spectrum().significantHeight(), 2.0, 1e-7);
+  sea.shape = SpectrumShape::Tma;
+  EXPECT_THROW(sea.spectrum(), std::invalid_argument);
+  sea.depth = 10.0;
+  EXPECT_EQ(sea.spectrum().shape(), SpectrumShape::Tma);
+  sea.wind = 12.0;
+  EXPECT_NEAR(sea.spectrum().peakFrequency(), 0.13 * 9.81 / 12.0, 1e-12);
+  sea.fetch = 1e5;
+  EXPECT_GT(sea.spectrum().peakFrequency(), 0.13 * 9.81 / 12.0); // young seas are shorter
+  const SpectralGrid grid = spectralGridOf(sea.spectrum(), 20, 36);
+  EXPECT_NEAR(sea.spectrum().shareBelow(grid.frequencies.back()) - sea.spectrum().shareBelow(grid.frequencies.front()),
+    0.995, 1e-6);
 }

@@ -1,0 +1,97 @@
+#include "sim/SpectralSea.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+SeaParameters unknownSea()
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  return { none, none, none, none, none, none, none };
+}
+
+}
+
+void SpectralSeaOptions::validate() const
+{
+  rays.validate();
+  if (gamma && !(*gamma > 0.0 && std::isfinite(*gamma)))
+  {
+    throw std::invalid_argument("gamma, the largest Hs over depth, must be above 0");
+  }
+}
+
+bool saturate(DirectionalSpectrum& spectrum, double depth, double gamma)
+{
+  const double height = seaParameters(spectrum).significantHeight;
+  if (!(height > gamma * depth))
+  {
+    return false;
+  }
+  const double share = gamma * depth / height;
+  for (double& density : spectrum.density)
+  {
+    density *= share * share;
+  }
+  return true;
+}
+
+std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralSeaOptions& options,
+  const DirectionalSpectrum& offshore, const std::vector<glm::dvec2>& places, const Execution& execution,
+  std::vector<DirectionalSpectrum>* spectra)
+{
+  options.validate();
+  std::vector<PlaceSea> result(places.size());
+  for (PlaceSea& sea : result)
+  {
+    sea.parameters = unknownSea();
+  }
+  if (spectra)
+  {
+    spectra->assign(places.size(), DirectionalSpectrum());
+  }
+  // Batches between which progress is told; small ones, as a place is long work.
+  const std::size_t batches = std::clamp<std::size_t>(places.size() / 16, 1, 200);
+  for (std::size_t batch = 0; batch < batches; ++batch)
+  {
+    const std::size_t first = places.size() * batch / batches;
+    const std::size_t last = places.size() * (batch + 1) / batches;
+    execution.forRange(last - first,
+      [&](std::size_t begin, std::size_t end)
+      {
+        DirectionalSpectrum spectrum;
+        for (std::size_t i = first + begin; i < first + end; ++i)
+        {
+          PlaceSea& sea = result[i];
+          const std::vector<SpectralOrigins> origins = traceOrigins(tracer, options.rays, { places[i] });
+          sea.depth = origins[0].depth;
+          if (origins[0].headings.empty())
+          {
+            continue;
+          }
+          SpectralTransfer(options.rays, offshore.grid, origins[0]).apply(offshore.density, spectrum);
+          sea.breaking = options.gamma && saturate(spectrum, sea.depth, *options.gamma);
+          sea.known = true;
+          sea.parameters = seaParameters(spectrum);
+          if (spectra)
+          {
+            (*spectra)[i] = spectrum;
+          }
+        }
+      });
+    if (!execution.report(static_cast<double>(batch + 1) / static_cast<double>(batches)))
+    {
+      break;
+    }
+  }
+  return result;
+}
+
+}

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "sim/SpectralTransfer.h"
+
+#include <optional>
+
+namespace swellray
+{
+
+/** How the sea offshore becomes that at places. */
+struct SpectralSeaOptions
+{
+  SpectralRays rays;
+
+  /**
+   * Largest Hs over depth; none: waves do not break. Spectra of higher seas are scaled down as a whole (saturation,
+   * Thornton and Guza 1982, J. Geophys. Res. 87).
+   */
+  std::optional<double> gamma;
+
+  /** @throws std::invalid_argument */
+  void validate() const;
+};
+
+/** Hs over depth of saturated random waves unless set: Thornton and Guza 1982 have Hrms = 0.42 h. */
+constexpr double SaturationGamma = 0.6;
+
+/** The sea at a place. */
+struct PlaceSea
+{
+  double depth = 0.0; ///< m; NaN in a hole or outside
+  bool known = false; ///< the place is in water; otherwise all parameters are NaN
+  bool breaking = false;
+  SeaParameters parameters;
+};
+
+/**
+ * The sea at places. No more than one place's spectrum a thread is held in memory, unless spectra are asked for.
+ *
+ * @param offshore spectrum whose frequencies are those of the rays
+ * @param spectra where the spectrum of each place goes, one a place, empty for dry ones; null: not wanted
+ * @return one a place; the same for any loop in `execution`. Places that were not reached before a cancel are not known
+ * @throws std::invalid_argument
+ */
+std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralSeaOptions& options,
+  const DirectionalSpectrum& offshore, const std::vector<glm::dvec2>& places, const Execution& execution = {},
+  std::vector<DirectionalSpectrum>* spectra = nullptr);
+
+/** Scale the spectrum down where its Hs is above gamma h. @return true where it is */
+bool saturate(DirectionalSpectrum& spectrum, double depth, double gamma);
+
+}
