@@ -48,7 +48,7 @@ struct WaveOrigin
 
 /**
  * Follows the waves at a place back to where they came from (Longuet-Higgins 1957, Proc. Camb. Phil. Soc. 53; O'Reilly
- * and Guza 1991, J. Phys. Oceanogr. 21).
+ * and Guza 1991, J. Waterway, Port, Coastal, Ocean Eng. 117).
  *
  * A ray of wavenumber k through a current U is that of -k through -U, run backwards. Along it the density of wave
  * action in the plane of wavenumbers stays what it was, and so

@@ -13,6 +13,7 @@ CommandSpec contourSpec(Request& request);
 CommandSpec gridSpec(Request& request);
 CommandSpec traceSpec(Request& request);
 CommandSpec surfaceSpec(Request& request);
+CommandSpec spectrumSpec(Request& request);
 CommandSpec renderSpec(Request& request);
 CommandSpec validateSpec(Request& request);
 CommandSpec listSpec();

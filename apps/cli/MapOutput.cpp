@@ -44,6 +44,18 @@ constexpr Quantity Quantities[] = {
   { "Breaking", "breaking of the highest wave", "1", "", "not_breaking breaking" },
   { "LeeRay", "rays that model diffraction into the lee bring the highest wave", "1", "", "refraction diffraction" },
   { "RayCount", "number of ray sheets", "1", "", "" },
+  { "SignificantWaveHeight", "significant wave height, 4 sqrt(m0)", "m", "sea_surface_wave_significant_height", "" },
+  { "PeakPeriod", "peak period", "s", "sea_surface_wave_period_at_variance_spectral_density_maximum", "" },
+  { "MeanPeriod", "mean period m0/m1", "s",
+    "sea_surface_wave_mean_period_from_variance_spectral_density_first_frequency_moment", "" },
+  { "ZeroCrossingPeriod", "mean period sqrt(m0/m2)", "s",
+    "sea_surface_wave_mean_period_from_variance_spectral_density_second_frequency_moment", "" },
+  { "EnergyPeriod", "energy period m-1/m0", "s",
+    "sea_surface_wave_mean_period_from_variance_spectral_density_inverse_frequency_moment", "" },
+  { "MeanDirectionFrom", "mean direction the sea comes from, clockwise from north", "degree",
+    "sea_surface_wave_from_direction", "" },
+  { "DirectionalSpread", "circular standard deviation of the directions", "degree",
+    "sea_surface_wave_directional_spread", "" },
 };
 
 MapImage imageOf(vtkImageData* map, const Request& request)

@@ -20,6 +20,37 @@ namespace
 // A tolerance beyond these either cannot be met in double precision or says nothing.
 const NumberRule Tolerance{ "", 1e-14, 1e-2 };
 
+OptionSpec offshoreDepthOption(IncidentWave& wave)
+{
+  OptionSpec depth{ "--offshore-depth", "M|deep", "depth in which height and direction are given, m", "deep",
+    "Incident wave", false, {} };
+  depth.set = [&wave](const std::string& typed)
+  {
+    wave.offshoreDepth = typed == "deep" ? std::numeric_limits<double>::infinity()
+                                         : parseNumber("--offshore-depth", typed, PositiveMetres);
+  };
+  return depth;
+}
+
+OptionSpec gravityOption(IncidentWave& wave)
+{
+  return number(
+    "--gravity", "G", "acceleration of gravity, m/s2", "9.81", "Incident wave", wave.gravity, PositiveNumber);
+}
+
+OptionSpec edgeOption(TraceOptions& trace)
+{
+  return choice("--edge", "refraction between offshore and the edge of the grid", "contours", "Rays", trace.edge,
+    std::vector<std::pair<std::string, EdgeRule>>{
+      { "contours", EdgeRule::Contours }, { "edge", EdgeRule::Edge }, { "none", EdgeRule::None } });
+}
+
+OptionSpec shoreNormalOption(TraceOptions& trace)
+{
+  return number("--shore-normal", "DEG", "direction the offshore contours face, degrees", "from the scene", "Rays",
+    trace.shoreNormal, Degrees);
+}
+
 std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
 {
   const char* group = "Rays";
@@ -50,11 +81,8 @@ std::vector<OptionSpec> tracingOptions(TraceOptions& trace)
       std::vector<std::pair<std::string, InsertionRule>>{ { "retrace", InsertionRule::Retrace },
         { "interpolate", InsertionRule::Interpolate }, { "none", InsertionRule::None } }),
     lee,
-    choice("--edge", "refraction between offshore and the edge of the grid", "contours", group, trace.edge,
-      std::vector<std::pair<std::string, EdgeRule>>{
-        { "contours", EdgeRule::Contours }, { "edge", EdgeRule::Edge }, { "none", EdgeRule::None } }),
-    number("--shore-normal", "DEG", "direction the offshore contours face, degrees", "from the scene", group,
-      trace.shoreNormal, Degrees),
+    edgeOption(trace),
+    shoreNormalOption(trace),
     number("--aground-depth", "M", "depth at which a ray is aground, m", "5 % of the height", group, trace.agroundDepth,
       PositiveMetres),
     maxRays,
@@ -192,15 +220,7 @@ std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool requi
     number("--height", "M", "wave height offshore, crest to trough, m", "", group, wave.height, PositiveMetres);
   period.required = direction.required = height.required = required;
 
-  OptionSpec depth{ "--offshore-depth", "M|deep", "depth in which height and direction are given, m", "deep", group,
-    false, {} };
-  depth.set = [&wave](const std::string& typed)
-  {
-    wave.offshoreDepth = typed == "deep" ? std::numeric_limits<double>::infinity()
-                                         : parseNumber("--offshore-depth", typed, PositiveMetres);
-  };
-  return { period, direction, height, depth,
-    number("--gravity", "G", "acceleration of gravity, m/s2", "9.81", group, wave.gravity, PositiveNumber) };
+  return { period, direction, height, offshoreDepthOption(wave), gravityOption(wave) };
 }
 
 std::vector<OptionSpec> rayOptions(RayRequest& rays)
@@ -210,6 +230,12 @@ std::vector<OptionSpec> rayOptions(RayRequest& rays)
   add(options, obstacleOptions(rays));
   add(options, heightOptions(rays));
   return options;
+}
+
+std::vector<OptionSpec> offshoreOptions(RayRequest& rays)
+{
+  return { offshoreDepthOption(rays.wave), gravityOption(rays.wave), edgeOption(rays.trace),
+    shoreNormalOption(rays.trace), currentOption(rays) };
 }
 
 std::vector<OptionSpec> contourOptions(ContourRequest& contour)
@@ -294,7 +320,7 @@ void checkOutputs(const OutputRequest& output)
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& file : { std::make_pair("--output", output.file), std::make_pair("--crests", output.crests),
          std::make_pair("--breaker-line", output.breakerLine), std::make_pair("--map", output.map),
-         std::make_pair("--table", output.table) })
+         std::make_pair("--table", output.table), std::make_pair("--spectra", output.spectra) })
   {
     for (const auto& other : files)
     {

@@ -18,6 +18,9 @@ std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool requi
 /** How rays are traced, on which current, and how heights are found: with waveOptions all that rays depend on. */
 std::vector<OptionSpec> rayOptions(RayRequest& rays);
 
+/** Where the wave offshore is given, what it meets on its way to the scene, and on which current. */
+std::vector<OptionSpec> offshoreOptions(RayRequest& rays);
+
 std::vector<OptionSpec> contourOptions(ContourRequest& contour);
 
 std::vector<OptionSpec> mapOptions(MapRequest& map);

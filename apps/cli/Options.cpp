@@ -13,6 +13,7 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     gridSpec(request),
     traceSpec(request),
     surfaceSpec(request),
+    spectrumSpec(request),
     renderSpec(request),
     validateSpec(request),
     listSpec(),

@@ -4,6 +4,7 @@
 #include "sim/AmplitudeDispersion.h"
 #include "sim/IncidentWave.h"
 #include "sim/RayMap.h"
+#include "sim/SpectralSea.h"
 #include "sim/WaveHeight.h"
 #include "sim/WaveTracer.h"
 
@@ -66,6 +67,27 @@ struct MapRequest
   std::string waterLevels; ///< file of a series of water levels; empty: none
 };
 
+/** A sea offshore, and how it is brought to a place. */
+struct SpectrumRequest
+{
+  std::optional<double> height;     ///< Hs, m
+  std::optional<double> peakPeriod; ///< s
+  std::optional<double> directionFrom;
+  double spread = 25.0; ///< degrees
+  SpectrumShape shape = SpectrumShape::Jonswap;
+  double peakedness = StandardPeakedness;
+  std::optional<double> wind;  ///< m/s
+  std::optional<double> fetch; ///< m
+  std::string boundary;        ///< spectral file; empty: none
+  int frequencies = 20;
+  int directions = 36;
+  int raysPerDirection = 1;
+  double tolerance = 1e-5;
+  bool breaks = true;
+  double gamma = SaturationGamma; ///< largest Hs over depth
+  double friction = 0.0;          ///< m2/s3
+};
+
 /** In place of a file of crest lines: make them from the rays that are drawn. */
 constexpr const char* CrestsFromRays = "auto";
 
@@ -122,7 +144,8 @@ struct OutputRequest
   std::string crests;
   std::string breakerLine;
   std::string map;
-  std::string table; ///< waves at the stations
+  std::string table;   ///< waves at the stations
+  std::string spectra; ///< spectra at the stations
   bool compress = false;
   bool points = false; ///< in a .gpkg the points of lines too
 };
@@ -134,6 +157,7 @@ struct Request
   ContourRequest contour;
   RayRequest rays;
   MapRequest map;
+  SpectrumRequest spectrum;
   MildSlopeRequest mildSlope;
   RenderRequest render;
   SurfaceRequest surface;

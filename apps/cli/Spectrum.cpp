@@ -1,0 +1,354 @@
+#include "Commands.h"
+#include "Failure.h"
+#include "FieldValues.h"
+#include "FilterRun.h"
+#include "MapOutput.h"
+#include "OptionGroups.h"
+#include "OptionKinds.h"
+#include "Pipeline.h"
+#include "StationTable.h"
+
+#include "bathymetry/SpectrumFile.h"
+
+#include <fmt/format.h>
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSwellSpectralMap.h>
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+// Nodes of a map without --map-spacing: a minute or so of rays.
+constexpr double UsualNodes = 2500.0;
+
+const NumberRule Spreads{ "degrees", 1.0, 80.0 };
+const NumberRule Peakednesses{ "", 1.0, 20.0 };
+const NumberRule Winds{ "m/s", 0.0, 200.0, true };
+const NumberRule StepErrors{ "", 1e-14, 1e-2 };
+
+void setUp(vtkSwellSpectralMap* filter, const Request& request)
+{
+  const SpectrumRequest& sea = request.spectrum;
+  filter->SetShape(static_cast<int>(sea.shape));
+  filter->SetSignificantHeight(sea.height.value_or(filter->GetSignificantHeight()));
+  filter->SetPeakPeriod(sea.peakPeriod.value_or(filter->GetPeakPeriod()));
+  filter->SetDirectionFrom(sea.directionFrom.value_or(filter->GetDirectionFrom()));
+  filter->SetSpread(sea.spread);
+  filter->SetPeakedness(sea.peakedness);
+  filter->SetWind(sea.wind.value_or(0.0));
+  filter->SetFetch(sea.fetch.value_or(0.0));
+  filter->SetBoundaryFileName(sea.boundary.empty() ? nullptr : sea.boundary.c_str());
+  filter->SetNumberOfFrequencies(sea.frequencies);
+  filter->SetNumberOfDirections(sea.directions);
+  filter->SetRaysPerDirection(sea.raysPerDirection);
+  filter->SetTolerance(sea.tolerance);
+  filter->SetGamma(sea.breaks ? sea.gamma : 0.0);
+  filter->SetFriction(sea.friction);
+  filter->SetOffshoreDepth(request.rays.wave.offshoreDepth);
+  filter->SetGravity(request.rays.wave.gravity);
+  filter->SetWaterLevel(request.seafloor.options.waterLevel);
+  filter->SetEdge(request.rays.trace.edge == EdgeRule::Contours ? vtkSwellSpectralMap::EDGE_CONTOURS
+      : request.rays.trace.edge == EdgeRule::Edge               ? vtkSwellSpectralMap::EDGE_EDGE
+                                                                : vtkSwellSpectralMap::EDGE_NONE);
+  if (request.rays.trace.shoreNormal)
+  {
+    filter->UseShoreNormalOn();
+    filter->SetShoreNormal(*request.rays.trace.shoreNormal);
+  }
+  filter->SetCurrent(request.rays.current.empty() ? nullptr : request.rays.current.c_str());
+}
+
+// Nodes over the seafloor, at the spacing asked for or so that there are not too many.
+vtkNew<vtkImageData> mapNodes(vtkImageData* seafloor, const Request& request, Console& console)
+{
+  double bounds[6];
+  seafloor->GetBounds(bounds);
+  const double width = bounds[1] - bounds[0];
+  const double height = bounds[3] - bounds[2];
+  const double spacing =
+    request.map.spacing.value_or(std::max(std::sqrt(width * height / UsualNodes), seafloor->GetSpacing()[0]));
+  constexpr double rounding = 1e-9;
+  constexpr double MostNodes = 1e7;
+  const double columns = std::floor(width / spacing + rounding) + 1.0;
+  const double rows = std::floor(height / spacing + rounding) + 1.0;
+  if (columns * rows > MostNodes)
+  {
+    throw WorkError(fmt::format(
+      "a map of {:.4g} nodes {:g} m apart is too large; choose a larger --map-spacing", columns * rows, spacing));
+  }
+  vtkNew<vtkImageData> nodes;
+  nodes->SetDimensions(static_cast<int>(columns), static_cast<int>(rows), 1);
+  nodes->SetOrigin(bounds[0], bounds[2], 0.0);
+  nodes->SetSpacing(spacing, spacing, 1.0);
+  console.say(fmt::format("map      {:g} x {:g} nodes {:.4g} m apart", columns, rows, spacing));
+  return nodes;
+}
+
+void saySea(vtkDataObject* data, const SpectrumRequest& sea, Console& console)
+{
+  const auto number = [&](const char* name) { return fieldNumber(data, name).value_or(std::nan("")); };
+  console.say(fmt::format("offshore Hs {:.3g} m, Tp {:.3g} s, from {:.4g} degrees, spread {:.3g} degrees",
+    number("OffshoreSignificantWaveHeight"), number("OffshorePeakPeriod"), number("OffshoreMeanDirectionFrom"),
+    number("OffshoreDirectionalSpread")));
+  console.say(fmt::format(
+    "rays     {} frequencies, {} directions, {} a direction", sea.frequencies, sea.directions, sea.raysPerDirection));
+}
+
+void sayHeights(vtkDataSet* data, const char* what, double seconds, std::size_t raysAPlace, Console& console)
+{
+  vtkDataArray* heights = data->GetPointData()->GetArray("SignificantWaveHeight");
+  vtkDataArray* breaking = data->GetPointData()->GetArray("Breaking");
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  vtkIdType wet = 0;
+  vtkIdType broken = 0;
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
+  {
+    const double height = heights->GetComponent(i, 0);
+    if (std::isfinite(height))
+    {
+      least = std::min(least, height);
+      most = std::max(most, height);
+      ++wet;
+      broken += breaking->GetComponent(i, 0) > 0.0 ? 1 : 0;
+    }
+  }
+  if (wet == 0)
+  {
+    console.warn(fmt::format("none of the {} lies in water", what));
+    return;
+  }
+  console.say(fmt::format("{:<8} Hs {:.3g} to {:.3g} m; limited by the depth at {} of {}; {:.3g} rays a second", what,
+    least, most, broken, wet, static_cast<double>(wet) * static_cast<double>(raysAPlace) / seconds));
+}
+
+std::vector<SpectrumRecord> recordsOf(vtkSwellSpectralMap* filter, vtkPolyData* places, const Georeference& scene)
+{
+  std::vector<SpectrumRecord> records;
+  const auto& spectra = filter->GetSpectra();
+  for (std::size_t i = 0; i < spectra.size(); ++i)
+  {
+    if (spectra[i].density.empty())
+    {
+      continue;
+    }
+    double point[3];
+    places->GetPoint(static_cast<vtkIdType>(i), point);
+    SpectrumRecord record;
+    record.geographic = scene.kind() == GeoreferenceKind::Geographic;
+    record.place = scene.toFile({ point[0], point[1] });
+    record.spectrum = spectra[i];
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+void runSpectrum(const Request& request, Console& console)
+{
+  std::vector<std::string> inputs = inputFiles(request);
+  std::vector<std::unique_ptr<OutputFile>> files;
+  const auto open = [&](const std::string& path)
+  {
+    if (!path.empty())
+    {
+      files.push_back(std::make_unique<OutputFile>(path, inputs));
+    }
+    return path.empty() ? nullptr : files.back().get();
+  };
+  const OutputFile* const mapFile = open(request.output.map);
+  const OutputFile* const tableFile = open(request.output.table);
+  const OutputFile* const spectraFile = open(request.output.spectra);
+  std::optional<StationTable> stations;
+  if (!request.map.stations.empty())
+  {
+    stations.emplace(request.map.stations);
+  }
+  Pipeline pipeline(request, console);
+  vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
+  const Georeference scene = georeferenceOf(seafloor);
+  const SpectrumRequest& sea = request.spectrum;
+  const auto raysAPlace = static_cast<std::size_t>(sea.frequencies * sea.directions * sea.raysPerDirection);
+
+  vtkNew<vtkSwellSpectralMap> filter;
+  setUp(filter, request);
+  filter->SetInputData(1, seafloor);
+  bool said = false;
+  const auto run = [&](vtkDataSet* places, const char* task)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    filter->SetInputData(0, places);
+    runFilter(filter, task, console);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    if (!said)
+    {
+      saySea(filter->GetOutputDataObject(0), sea, console);
+      said = true;
+    }
+    sayHeights(filter->GetOutput(), task, seconds.count(), raysAPlace, console);
+  };
+  if (stations)
+  {
+    const auto places = stations->places(scene);
+    filter->SetKeepSpectra(spectraFile != nullptr);
+    run(places, "stations");
+    if (tableFile)
+    {
+      stations->write(filter->GetOutput()->GetPointData(),
+        { "Depth", "SignificantWaveHeight", "PeakPeriod", "MeanPeriod", "ZeroCrossingPeriod", "EnergyPeriod",
+          "MeanDirectionFrom", "DirectionalSpread", "Breaking" },
+        "SignificantWaveHeight", *tableFile, console);
+    }
+    if (spectraFile)
+    {
+      try
+      {
+        writeSwanSpectra(spectraFile->temporary(), recordsOf(filter, places, scene),
+          "Swellray " SWELLRAY_VERSION ": " + request.commandLine);
+      }
+      catch (const std::exception& error)
+      {
+        spectraFile->fail(error.what());
+      }
+    }
+    filter->KeepSpectraOff();
+  }
+  if (mapFile)
+  {
+    const vtkNew<vtkImageData> nodes = mapNodes(seafloor, request, console);
+    run(nodes, "map");
+    writeMap(vtkImageData::SafeDownCast(filter->GetOutput()), *mapFile, request, console);
+  }
+  std::string written;
+  for (const auto& file : files)
+  {
+    file->commit();
+    written += (written.empty() ? "" : " and ") + file->path();
+  }
+  console.say("wrote    " + written);
+}
+
+void checkSpectrum(Request& request)
+{
+  const SpectrumRequest& sea = request.spectrum;
+  const OutputRequest& output = request.output;
+  checkOutputs(output);
+  if (output.map.empty() && output.table.empty() && output.spectra.empty())
+  {
+    throw UsageError("spectrum has nothing to write: give --map FILE, or --stations POINTS.csv with --table OUT.csv or "
+                     "--spectra OUT.sp2");
+  }
+  if (request.map.stations.empty() != (output.table.empty() && output.spectra.empty()))
+  {
+    throw UsageError("--stations belongs together with --table or --spectra; give both");
+  }
+  if (request.map.spacing && output.map.empty())
+  {
+    throw UsageError("--map-spacing needs --map FILE");
+  }
+  const bool byHeight = sea.height || sea.peakPeriod;
+  if (byHeight + sea.wind.has_value() + !sea.boundary.empty() != 1)
+  {
+    throw UsageError("the sea offshore is given in one of three ways: --hs and --tp, or --wind, or --boundary FILE");
+  }
+  if (byHeight && !(sea.height && sea.peakPeriod))
+  {
+    throw UsageError(sea.height ? "--hs needs --tp S" : "--tp needs --hs M");
+  }
+  if (sea.boundary.empty() && !sea.directionFrom)
+  {
+    throw UsageError("spectrum needs --direction DEG");
+  }
+  if (sea.fetch && !sea.wind)
+  {
+    throw UsageError("--fetch needs --wind M/S");
+  }
+  if (sea.shape == SpectrumShape::Tma && !std::isfinite(request.rays.wave.offshoreDepth))
+  {
+    throw UsageError("--shape tma needs --offshore-depth M, the depth in which it holds");
+  }
+}
+
+OptionSpec whole(const char* name, const char* help, const char* standard, int& target, int least, int most)
+{
+  OptionSpec spec{ name, "N", help, standard, "Rays", false, {} };
+  const std::string longName = spec.longName();
+  spec.set = [&target, longName, least, most](const std::string& typed)
+  { target = static_cast<int>(parseWhole(longName, typed, least, most)); };
+  return spec;
+}
+
+std::vector<OptionSpec> seaOptions(SpectrumRequest& sea)
+{
+  const char* group = "Sea offshore";
+  return {
+    number("--hs", "M", "significant wave height, m", "", group, sea.height, PositiveMetres),
+    number("--tp", "S", "peak period, s", "", group, sea.peakPeriod, PositiveSeconds),
+    number("--direction", "DEG", "mean direction the sea comes from, degrees clockwise from north", "", group,
+      sea.directionFrom, Degrees),
+    number(
+      "--spread", "DEG", "circular standard deviation of the directions, degrees", "25", group, sea.spread, Spreads),
+    choice("--shape", "shape of the spectrum", "jonswap", group, sea.shape,
+      std::vector<std::pair<std::string, SpectrumShape>>{ { "jonswap", SpectrumShape::Jonswap },
+        { "pierson-moskowitz", SpectrumShape::PiersonMoskowitz }, { "tma", SpectrumShape::Tma } }),
+    number("--peakedness", "G", "peak enhancement of jonswap and tma", "3.3", group, sea.peakedness, Peakednesses),
+    number("--wind", "M/S", "the sea of this wind at 10 m height, m/s", "", group, sea.wind, Winds),
+    number("--fetch", "M", "fetch of the wind, m", "without end", group, sea.fetch, PositiveMetres),
+    text("--boundary", "FILE", "the sea of a spectral file (SWAN .bnd, .sp1, .sp2)", "", group, sea.boundary),
+  };
+}
+
+}
+
+CommandSpec spectrumSpec(Request& request)
+{
+  CommandSpec spec{ "spectrum", "refract a directional spectrum: wave heights, periods and directions of a sea", true,
+    {}, {} };
+  SpectrumRequest& sea = request.spectrum;
+  spec.options = { outputFile(
+                     "--map", "the sea on a grid, .vti, .nc or .tif", request.output.map, { ".vti", ".nc", ".tif" }),
+    text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
+    outputFile("--table", "the sea at the stations, .csv", request.output.table, { ".csv" }),
+    outputFile("--spectra", "directional spectra at the stations, SWAN .sp2", request.output.spectra, { ".sp2" }),
+    number("--map-spacing", "M", "distance of the nodes of the map, m", "2,500 nodes", "Output", request.map.spacing,
+      PositiveMetres),
+    flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
+  add(spec.options, seaOptions(sea));
+  add(spec.options,
+    { whole(
+        "--frequencies", "frequencies over the band that holds 99.5 % of the energy", "20", sea.frequencies, 2, 1000),
+      whole("--directions", "directions around the circle", "36", sea.directions, 4, 3600),
+      whole("--rays-per-direction", "rays back from each place in each direction", "1", sea.raysPerDirection, 1, 100),
+      number(
+        "--tolerance", "E", "relative error a step of the integrator", "1e-5", "Rays", sea.tolerance, StepErrors) });
+  add(spec.options, offshoreOptions(request.rays));
+  const char* group = "Heights";
+  add(spec.options,
+    { choice("--breaking", "limit of the height in shallow water", "gamma", group, sea.breaks,
+        std::vector<std::pair<std::string, bool>>{ { "gamma", true }, { "none", false } }),
+      number("--gamma", "G", "largest Hs over depth", "0.6", group, sea.gamma, PositiveNumber),
+      number("--friction", "C", "bottom friction coefficient, m2/s3 (0.038: swell over sand)", "0", group, sea.friction,
+        NonNegativeNumber) });
+  add(spec.options, seafloorOptions(request.seafloor.options));
+  spec.examples =
+    "  swellray spectrum harbour.tif --hs 2.5 --tp 11 --direction 240 --spread 20 --map sea.nc\n"
+    "  swellray spectrum harbour.tif --wind 15 --fetch 80000 --direction 270 --stations buoys.csv --table sea.csv\n"
+    "  swellray spectrum estuary.swn --boundary west.bnd --stations buoys.csv --table sea.csv --spectra sea.sp2\n"
+    "  swellray spectrum plane --hs 1 --tp 8 --direction 60 --map sea.vti --rays-per-direction 3\n";
+  spec.check = checkSpectrum;
+  spec.run = runSpectrum;
+  return spec;
+}
+
+}

@@ -1,0 +1,265 @@
+#include "vtkSwellSpectralMap.h"
+
+#include "AlgorithmExecution.h"
+#include "CurrentSource.h"
+#include "FieldData.h"
+#include "GeoreferenceField.h"
+#include "RayArrays.h"
+#include "SeafloorField.h"
+#include "bathymetry/SpectrumFile.h"
+#include "sim/Angles.h"
+#include "sim/SeaState.h"
+#include "sim/SpectralSea.h"
+
+#include <vtkDataSet.h>
+#include <vtkDoubleArray.h>
+#include <vtkImageData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPointData.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <exception>
+#include <stdexcept>
+#include <string>
+
+vtkStandardNewMacro(vtkSwellSpectralMap);
+
+namespace
+{
+
+// Directions of the spectrum offshore: twice the usual ones, as refraction gathers many of them into few at the shore.
+constexpr std::size_t OffshoreDirections = 72;
+
+struct OffshoreSea
+{
+  swellray::DirectionalSpectrum spectrum;
+  swellray::SpectralRays rays;
+};
+
+OffshoreSea seaOfFile(const std::string& file, std::size_t frequencies, std::size_t directions)
+{
+  const swellray::DirectionalSpectrum spectrum = swellray::readSpectra(file).records.front().spectrum;
+  OffshoreSea sea;
+  sea.rays.grid = swellray::spectralGridOf(spectrum, frequencies, directions);
+  sea.spectrum = swellray::resample(spectrum, swellray::spectralGridOf(spectrum, frequencies, OffshoreDirections));
+  return sea;
+}
+
+OffshoreSea seaOfState(const swellray::SeaState& state, std::size_t frequencies, std::size_t directions)
+{
+  const swellray::FrequencySpectrum spectrum = state.spectrum();
+  OffshoreSea sea;
+  sea.rays.grid = swellray::spectralGridOf(spectrum, frequencies, directions);
+  sea.spectrum =
+    swellray::DirectionalSpectrum::sample(swellray::spectralGridOf(spectrum, frequencies, OffshoreDirections), spectrum,
+      swellray::DirectionalSpreading::cosinePower(swellray::radians(state.spread)),
+      swellray::headingFromNautical(state.directionFrom));
+  return sea;
+}
+
+}
+
+vtkSwellSpectralMap::vtkSwellSpectralMap()
+  : Seafloor(std::make_unique<swellray::SeafloorField>())
+  , Water(std::make_unique<swellray::CurrentField>())
+  , Spectra(std::make_unique<std::vector<swellray::DirectionalSpectrum>>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
+}
+
+vtkSwellSpectralMap::~vtkSwellSpectralMap()
+{
+  delete[] this->BoundaryFileName;
+  delete[] this->Current;
+}
+
+const std::vector<swellray::DirectionalSpectrum>& vtkSwellSpectralMap::GetSpectra() const
+{
+  return *this->Spectra;
+}
+
+int vtkSwellSpectralMap::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkDataSet" : "vtkImageData");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkSwellSpectralMap::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  // Rays come from far away: whatever part is asked for, all of the seafloor is needed.
+  vtkInformation* seafloor = inputVector[1]->GetInformationObject(0);
+  seafloor = seafloor ? seafloor : inputVector[0]->GetInformationObject(0);
+  if (seafloor->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    seafloor->Set(Pipeline::UPDATE_EXTENT(), seafloor->Get(Pipeline::WHOLE_EXTENT()), 6);
+  }
+  return 1;
+}
+
+int vtkSwellSpectralMap::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* places = vtkDataSet::GetData(inputVector[0]);
+  vtkImageData* image = vtkImageData::GetData(inputVector[1]);
+  vtkDataSet* output = vtkDataSet::GetData(outputVector);
+  try
+  {
+    if (!image)
+    {
+      image = vtkImageData::SafeDownCast(places);
+    }
+    if (!image)
+    {
+      throw std::invalid_argument("the seafloor is missing: connect it to input 1");
+    }
+    if (this->NumberOfFrequencies < 2 || this->NumberOfDirections < 4 || this->RaysPerDirection < 1)
+    {
+      throw std::invalid_argument("a spectrum needs 2 or more frequencies (not " +
+        std::to_string(this->NumberOfFrequencies) + "), 4 or more directions (not " +
+        std::to_string(this->NumberOfDirections) + ") and 1 or more rays a direction (not " +
+        std::to_string(this->RaysPerDirection) + ")");
+    }
+    swellray::SeaState state;
+    state.shape = static_cast<swellray::SpectrumShape>(this->Shape);
+    state.height = this->SignificantHeight;
+    state.peakPeriod = this->PeakPeriod;
+    state.directionFrom = this->DirectionFrom;
+    state.spread = this->Spread;
+    state.peakedness = this->Peakedness;
+    state.depth = this->OffshoreDepth;
+    state.gravity = this->Gravity;
+    state.wind = this->Wind != 0.0 ? std::optional<double>(this->Wind) : std::nullopt;
+    state.fetch = this->Fetch != 0.0 ? std::optional<double>(this->Fetch) : std::nullopt;
+    const auto frequencies = static_cast<std::size_t>(this->NumberOfFrequencies);
+    const auto directions = static_cast<std::size_t>(this->NumberOfDirections);
+    const OffshoreSea sea = this->BoundaryFileName && *this->BoundaryFileName
+      ? seaOfFile(this->BoundaryFileName, frequencies, directions)
+      : seaOfState(state, frequencies, directions);
+    swellray::SpectralSeaOptions options;
+    options.rays = sea.rays;
+    options.rays.perDirection = static_cast<std::size_t>(this->RaysPerDirection);
+    options.gamma = this->Gamma != 0.0 ? std::optional<double>(this->Gamma) : std::nullopt;
+
+    vtkDataArray* elevation = vtkImageData::GetData(inputVector[1]) ? this->GetInputArrayToProcess(0, inputVector)
+                                                                    : image->GetPointData()->GetArray("Elevation");
+    const std::shared_ptr<const swellray::Seafloor> seafloor = this->Seafloor->get(image, elevation);
+    swellray::BackwardOptions backward;
+    backward.waterLevel = this->WaterLevel;
+    backward.gravity = this->Gravity;
+    backward.tolerance = this->Tolerance;
+    backward.offshoreDepth = this->OffshoreDepth;
+    backward.edge = static_cast<swellray::EdgeRule>(this->Edge);
+    backward.shoreNormal = this->UseShoreNormal ? std::optional<double>(this->ShoreNormal) : std::nullopt;
+    backward.friction = this->Friction;
+    std::shared_ptr<const swellray::Current> current;
+    if (this->Current && *this->Current)
+    {
+      current = this->Water->get(this->Current, swellray::georeferenceOf(image), seafloor->bounds());
+      backward.current = current.get();
+    }
+    const swellray::BackwardTracer tracer(*seafloor, backward);
+
+    const vtkIdType count = places->GetNumberOfPoints();
+    std::vector<glm::dvec2> points(static_cast<std::size_t>(count));
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      double p[3];
+      places->GetPoint(i, p);
+      points[static_cast<std::size_t>(i)] = { p[0], p[1] };
+    }
+    const std::vector<swellray::PlaceSea> seas = swellray::transformSea(tracer, options, sea.spectrum, points,
+      swellray::makeExecution(this), this->KeepSpectra ? this->Spectra.get() : nullptr);
+    if (this->GetAbortExecute())
+    {
+      output->Initialize();
+      return 1;
+    }
+
+    output->ShallowCopy(places);
+    vtkPointData* out = output->GetPointData();
+    const auto add = [=](const char* name) { return swellray::addArray<vtkDoubleArray>(out, name, count); };
+    double* depth = add("Depth");
+    double* height = add("SignificantWaveHeight");
+    double* peak = add("PeakPeriod");
+    double* mean = add("MeanPeriod");
+    double* crossing = add("ZeroCrossingPeriod");
+    double* energy = add("EnergyPeriod");
+    double* direction = add("MeanDirectionFrom");
+    double* spread = add("DirectionalSpread");
+    unsigned char* breaking = swellray::addArray<vtkUnsignedCharArray>(out, "Breaking", count);
+    for (std::size_t i = 0; i < seas.size(); ++i)
+    {
+      const swellray::SeaParameters& here = seas[i].parameters;
+      depth[i] = seas[i].depth;
+      height[i] = here.significantHeight;
+      peak[i] = here.peakPeriod;
+      mean[i] = here.meanPeriod01;
+      crossing[i] = here.meanPeriod02;
+      energy[i] = here.energyPeriod;
+      direction[i] = here.meanDirectionFrom;
+      spread[i] = here.spread;
+      breaking[i] = seas[i].breaking ? 1 : 0;
+    }
+    out->SetActiveScalars("SignificantWaveHeight");
+    output->GetFieldData()->PassData(image->GetFieldData());
+    const swellray::SeaParameters offshore = swellray::seaParameters(sea.spectrum);
+    swellray::setFieldValue(output, "OffshoreSignificantWaveHeight", offshore.significantHeight);
+    swellray::setFieldValue(output, "OffshorePeakPeriod", offshore.peakPeriod);
+    swellray::setFieldValue(output, "OffshoreMeanDirectionFrom", offshore.meanDirectionFrom);
+    swellray::setFieldValue(output, "OffshoreDirectionalSpread", offshore.spread);
+    swellray::setFieldValue(output, "WaterLevel", this->WaterLevel);
+    swellray::setFieldString(output, "SwellrayVersion", SWELLRAY_VERSION);
+    for (const std::string& note : current ? this->Water->notes() : std::vector<std::string>())
+    {
+      vtkWarningMacro(<< note);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    output->Initialize();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkSwellSpectralMap::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* shapes[] = { "Pierson-Moskowitz", "JONSWAP", "TMA" };
+  const char* edges[] = { "contours", "edge", "none" };
+  os << indent << "Shape: " << shapes[this->Shape] << "\n";
+  os << indent << "SignificantHeight: " << this->SignificantHeight << "\n";
+  os << indent << "PeakPeriod: " << this->PeakPeriod << "\n";
+  os << indent << "DirectionFrom: " << this->DirectionFrom << "\n";
+  os << indent << "Spread: " << this->Spread << "\n";
+  os << indent << "Peakedness: " << this->Peakedness << "\n";
+  os << indent << "Wind: " << this->Wind << "\n";
+  os << indent << "Fetch: " << this->Fetch << "\n";
+  os << indent << "BoundaryFileName: " << (this->BoundaryFileName ? this->BoundaryFileName : "(none)") << "\n";
+  os << indent << "NumberOfFrequencies: " << this->NumberOfFrequencies << "\n";
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "RaysPerDirection: " << this->RaysPerDirection << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "Gamma: " << this->Gamma << "\n";
+  os << indent << "Friction: " << this->Friction << "\n";
+  os << indent << "OffshoreDepth: " << this->OffshoreDepth << "\n";
+  os << indent << "Gravity: " << this->Gravity << "\n";
+  os << indent << "WaterLevel: " << this->WaterLevel << "\n";
+  os << indent << "Edge: " << edges[this->Edge] << "\n";
+  os << indent << "UseShoreNormal: " << (this->UseShoreNormal ? "on" : "off") << "\n";
+  os << indent << "ShoreNormal: " << this->ShoreNormal << "\n";
+  os << indent << "Current: " << (this->Current ? this->Current : "(none)") << "\n";
+  os << indent << "KeepSpectra: " << (this->KeepSpectra ? "on" : "off") << "\n";
+}

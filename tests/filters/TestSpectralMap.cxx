@@ -1,0 +1,162 @@
+#include "Observers.h"
+
+#include "sim/Angles.h"
+#include "sim/DirectionalSpectrum.h"
+#include "sim/Dispersion.h"
+#include "vtkSwellSeafloorReader.h"
+#include "vtkSwellSpectralMap.h"
+
+#include <gtest/gtest.h>
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkSMPTools.h>
+
+#include <cmath>
+
+namespace
+{
+
+// A sea so narrow that it is one wave, but for its width: 2 degrees and a peakedness of 20.
+constexpr double NarrowHeight = 0.03;
+constexpr double NarrowDirection = 0.5; // degrees
+
+vtkNew<vtkPolyData> pointsAt(const std::vector<std::array<double, 2>>& places)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& place : places)
+  {
+    points->InsertNextPoint(place[0], place[1], 0.0);
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  return data;
+}
+
+struct Scene
+{
+  Scene()
+  {
+    this->Reader->SetFileName("plane:slope=0.02,x0=-100,x1=4000,y0=-20000,y1=20000");
+    this->Map->SetInputData(0, this->Stations);
+    this->Map->SetSeafloorConnection(this->Reader->GetOutputPort());
+    this->Map->SetSignificantHeight(1.0);
+    this->Map->SetPeakPeriod(10.0);
+    this->Map->SetDirectionFrom(60.0);
+    this->Map->SetGamma(0.0);
+  }
+
+  double value(const char* name, vtkIdType i = 0)
+  {
+    return this->Map->GetOutput()->GetPointData()->GetArray(name)->GetComponent(i, 0);
+  }
+
+  vtkNew<vtkSwellSeafloorReader> Reader;
+  vtkNew<vtkSwellSpectralMap> Map;
+  vtkNew<vtkPolyData> Stations = pointsAt({ { 400.0, 0.0 }, { 50.0, 0.0 }, { -50.0, 0.0 } });
+};
+
+TEST(SpectralMap, ANarrowSeaFollowsSnell)
+{
+  Scene scene;
+  scene.Map->SetSpread(2.0);
+  scene.Map->SetPeakedness(20.0);
+  scene.Map->SetNumberOfDirections(180);
+  scene.Map->SetNumberOfFrequencies(40);
+  scene.Map->KeepSpectraOn();
+  scene.Map->Update();
+  const double omega = 0.2 * swellray::Pi;
+  const double depth = 8.0;
+  const double k0 = omega * omega / 9.81;
+  const double k = swellray::solveWavenumber(omega, depth);
+  const double angle0 = swellray::radians(30.0);
+  const double angle = std::asin(k0 / k * std::sin(angle0));
+  const double height =
+    std::sqrt(0.5 * omega / k0 / swellray::waveSpeeds(k, depth).groupSpeed * std::cos(angle0) / std::cos(angle));
+  EXPECT_NEAR(scene.value("Depth"), depth, 1e-6);
+  EXPECT_NEAR(scene.value("SignificantWaveHeight"), height, NarrowHeight * height);
+  EXPECT_NEAR(scene.value("MeanDirectionFrom"), 90.0 - swellray::degrees(angle), NarrowDirection);
+  EXPECT_NEAR(scene.value("PeakPeriod"), 10.0, 0.2);
+  EXPECT_EQ(scene.value("Breaking"), 0.0);
+  EXPECT_TRUE(std::isnan(scene.value("SignificantWaveHeight", 2))); // on land
+  ASSERT_EQ(scene.Map->GetSpectra().size(), 3u);
+  EXPECT_NEAR(
+    swellray::seaParameters(scene.Map->GetSpectra()[0]).significantHeight, scene.value("SignificantWaveHeight"), 1e-12);
+  EXPECT_TRUE(scene.Map->GetSpectra()[2].density.empty());
+  vtkFieldData* fields = scene.Map->GetOutput()->GetFieldData();
+  EXPECT_NEAR(fields->GetArray("OffshoreSignificantWaveHeight")->GetComponent(0, 0), 1.0, 1e-4);
+  EXPECT_NE(fields->GetArray("OriginX"), nullptr);
+}
+
+TEST(SpectralMap, TheDepthLimitsTheSea)
+{
+  Scene scene;
+  scene.Map->SetSignificantHeight(3.0);
+  scene.Map->SetGamma(0.5);
+  scene.Map->Update();
+  EXPECT_NEAR(scene.value("SignificantWaveHeight", 1), 0.5, 1e-9); // 1 m deep
+  EXPECT_EQ(scene.value("Breaking", 1), 1.0);
+  EXPECT_EQ(scene.value("Breaking", 0), 0.0);
+  const double before = scene.value("SignificantWaveHeight", 0);
+  scene.Map->SetFriction(0.038);
+  scene.Map->Update();
+  EXPECT_LT(scene.value("SignificantWaveHeight", 0), before);
+}
+
+TEST(SpectralMap, TheSeafloorsOwnNodesNeedNoSecondInput)
+{
+  vtkNew<vtkSwellSeafloorReader> reader;
+  reader->SetFileName("plane:slope=0.02,x0=-100,x1=400,y0=-200,y1=200");
+  reader->SetResample(100.0);
+  vtkNew<vtkSwellSpectralMap> map;
+  map->SetInputConnection(0, reader->GetOutputPort());
+  map->SetNumberOfFrequencies(3);
+  map->SetNumberOfDirections(12);
+  map->SetDirectionFrom(90.0);
+  map->Update();
+  vtkImageData* output = vtkImageData::SafeDownCast(map->GetOutput());
+  ASSERT_NE(output, nullptr);
+  EXPECT_EQ(output->GetNumberOfPoints(), reader->GetOutput()->GetNumberOfPoints());
+  EXPECT_NE(output->GetPointData()->GetArray("Elevation"), nullptr);
+  EXPECT_NE(output->GetPointData()->GetArray("SignificantWaveHeight"), nullptr);
+}
+
+TEST(SpectralMap, IsTheSameForAnyNumberOfThreads)
+{
+  Scene scene;
+  vtkSMPTools::Initialize(1);
+  scene.Map->Update();
+  const double alone = scene.value("SignificantWaveHeight");
+  vtkSMPTools::Initialize(2);
+  scene.Map->Modified();
+  scene.Map->Update();
+  EXPECT_EQ(scene.value("SignificantWaveHeight"), alone);
+  vtkSMPTools::Initialize();
+}
+
+TEST(SpectralMap, SaysWhatIsWrong)
+{
+  Scene scene;
+  vtkNew<Listener> listener;
+  listener->listenTo(scene.Map);
+  listener->listenTo(scene.Map->GetExecutive());
+  scene.Map->SetSpread(0.0);
+  scene.Map->Update();
+  ASSERT_FALSE(listener->Errors.empty());
+  EXPECT_NE(listener->Errors.front().find("spread"), std::string::npos);
+  listener->Errors.clear();
+  scene.Map->SetSpread(20.0);
+  scene.Map->SetBoundaryFileName("nowhere.bnd");
+  scene.Map->Update();
+  ASSERT_FALSE(listener->Errors.empty());
+  EXPECT_NE(listener->Errors.front().find("nowhere.bnd"), std::string::npos);
+  EXPECT_EQ(scene.Map->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+}
