@@ -200,8 +200,12 @@ void SurfaceSheet::fill(
 void SurfaceSheet::weave(double maxSpacing, const Obstacles* obstacles)
 {
   SheetRays sheet;
-  sheet.lines = { this->Offsets.size() - 1, this->Offsets.data(), this->Position.data(), this->Phase.data(),
-    this->LaunchParameter.data(), this->LaunchSegment.data() };
+  sheet.lines.rays = this->Offsets.size() - 1;
+  sheet.lines.offsets = this->Offsets.data();
+  sheet.lines.positions = this->Position.data();
+  sheet.lines.phase = this->Phase.data();
+  sheet.lines.launchParameter = this->LaunchParameter.data();
+  sheet.lines.launchSegment = this->LaunchSegment.data();
   sheet.parent = this->Parent.data();
   sheet.lee = this->Lee.data();
   sheet.reflections = this->Reflections.empty() ? nullptr : this->Reflections.data();

@@ -124,13 +124,14 @@ Parser::Parser(int argc, char** argv)
     "--version", [] { return versionText(); }, "show the version and the libraries of this build");
   this->App.require_subcommand(0, 1);
   this->App.allow_extras();
-  this->App.footer("\n'swellray COMMAND --help' shows the options of a command and examples.\n"
-                   "SEAFLOOR is a file (raster, mesh, grid of a wave model, .vti) or a built-in form; see 'swellray list'.\n\n"
-                   "Examples:\n"
-                   "  swellray info harbour.tif\n"
-                   "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp\n"
-                   "  swellray render harbour.tif --rays rays.vtp -o picture.png\n\n"
-                   "Exit codes: 0 done, 1 the work failed, 2 the call is wrong.");
+  this->App.footer(
+    "\n'swellray COMMAND --help' shows the options of a command and examples.\n"
+    "SEAFLOOR is a file (raster, mesh, grid of a wave model, .vti) or a built-in form; see 'swellray list'.\n\n"
+    "Examples:\n"
+    "  swellray info harbour.tif\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp\n"
+    "  swellray render harbour.tif --rays rays.vtp -o picture.png\n\n"
+    "Exit codes: 0 done, 1 the work failed, 2 the call is wrong.");
 
   OptionSpec config{ "--config", "FILE.toml", "read options from this file", "", "General", false, {} };
   config.set = [this](const std::string& text) { this->ConfigFile = text; };

@@ -4,6 +4,7 @@
 #include "FieldValues.h"
 #include "FilterRun.h"
 #include "MapOutput.h"
+#include "OptionGroups.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
 #include "StationTable.h"
@@ -141,6 +142,11 @@ void checkMildSlope(const Request& request)
                        "--max-memory and --dry-run belong to --method mild-slope");
     }
     return;
+  }
+  checkPlane(request, "--method mild-slope");
+  if (!request.map.waterLevels.empty())
+  {
+    throw UsageError("--water-levels belongs to --method rays; give one --water-level");
   }
   const OutputRequest& output = request.output;
   if (!output.file.empty() || !output.crests.empty() || !output.breakerLine.empty())

@@ -307,6 +307,14 @@ void checkEarth(const Request& request)
   }
 }
 
+void checkPlane(const Request& request, const char* command)
+{
+  if (request.seafloor.options.earth == EarthModel::Ellipsoid)
+  {
+    throw UsageError(fmt::format("{} works on a plane; leave out --earth ellipsoid", command));
+  }
+}
+
 void checkContours(const ContourRequest& contour)
 {
   if (!contour.levels.empty() && contour.interval)

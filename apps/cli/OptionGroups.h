@@ -31,6 +31,7 @@ std::vector<OptionSpec> commonOptions(Request& request);
 /** Checks that span several of these options, and what follows from them. @throws UsageError */
 void checkRays(RayRequest& rays);
 void checkEarth(const Request& request);
+void checkPlane(const Request& request, const char* command);
 void checkContours(const ContourRequest& contour);
 
 /** No two of the files to write are the same. @throws UsageError */

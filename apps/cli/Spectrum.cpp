@@ -244,6 +244,7 @@ void checkSpectrum(Request& request)
   const SpectrumRequest& sea = request.spectrum;
   const OutputRequest& output = request.output;
   checkOutputs(output);
+  checkPlane(request, "spectrum");
   if (output.map.empty() && output.table.empty() && output.spectra.empty())
   {
     throw UsageError("spectrum has nothing to write: give --map FILE, or --stations POINTS.csv with --table OUT.csv or "

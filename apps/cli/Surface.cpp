@@ -97,6 +97,7 @@ bool isSeries(const Request& request)
 void checkSurface(Request& request)
 {
   checkRays(request.rays);
+  checkPlane(request, "surface");
   const SurfaceRequest& surface = request.surface;
   if (request.output.file.empty())
   {

@@ -86,8 +86,12 @@ public:
       lee.push_back(field.rays[ray].lee ? 1 : 0);
     }
     SurfaceRays rays;
-    rays.sheet.lines = { field.rays.size(), offsets.data(), position.data(), phase.data(), parameter.data(),
-      segment.data() };
+    rays.sheet.lines.rays = field.rays.size();
+    rays.sheet.lines.offsets = offsets.data();
+    rays.sheet.lines.positions = position.data();
+    rays.sheet.lines.phase = phase.data();
+    rays.sheet.lines.launchParameter = parameter.data();
+    rays.sheet.lines.launchSegment = segment.data();
     rays.sheet.parent = parent.data();
     rays.sheet.lee = lee.data();
     rays.sheet.direction = direction.data();

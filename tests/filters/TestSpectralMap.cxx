@@ -3,6 +3,7 @@
 #include "sim/Angles.h"
 #include "sim/DirectionalSpectrum.h"
 #include "sim/Dispersion.h"
+#include "sim/SeaState.h"
 #include "vtkSwellSeafloorReader.h"
 #include "vtkSwellSpectralMap.h"
 
@@ -22,9 +23,9 @@
 namespace
 {
 
-// A sea so narrow that it is one wave, but for its width: 2 degrees and a peakedness of 20.
-constexpr double NarrowHeight = 0.03;
-constexpr double NarrowDirection = 0.5; // degrees
+// Of a sea 2 degrees wide against waves of one direction: the bins are 2 degrees wide too.
+constexpr double NarrowHeight = 3e-3;
+constexpr double NarrowDirection = 0.1; // degrees
 
 vtkNew<vtkPolyData> pointsAt(const std::vector<std::array<double, 2>>& places)
 {
@@ -71,14 +72,29 @@ TEST(SpectralMap, ANarrowSeaFollowsSnell)
   scene.Map->SetNumberOfFrequencies(40);
   scene.Map->KeepSpectraOn();
   scene.Map->Update();
-  const double omega = 0.2 * swellray::Pi;
+  // Snell's law and the flux of energy, frequency by frequency of the sea offshore.
   const double depth = 8.0;
-  const double k0 = omega * omega / 9.81;
-  const double k = swellray::solveWavenumber(omega, depth);
   const double angle0 = swellray::radians(30.0);
-  const double angle = std::asin(k0 / k * std::sin(angle0));
-  const double height =
-    std::sqrt(0.5 * omega / k0 / swellray::waveSpeeds(k, depth).groupSpeed * std::cos(angle0) / std::cos(angle));
+  const auto sea = swellray::FrequencySpectrum::jonswap(1.0, 10.0, 20.0);
+  const auto offshore = swellray::DirectionalSpectrum::sample(swellray::spectralGridOf(sea, 40, 72), sea,
+    swellray::DirectionalSpreading::cosinePower(swellray::radians(2.0)), swellray::headingFromNautical(60.0));
+  const std::vector<double> df = offshore.grid.frequencyWeights();
+  const std::vector<double> density = offshore.overFrequency();
+  double m0 = 0.0;
+  glm::dvec2 mean(0.0);
+  for (std::size_t i = 0; i < df.size(); ++i)
+  {
+    const double omega = 2.0 * swellray::Pi * offshore.grid.frequencies[i];
+    const double k0 = omega * omega / 9.81;
+    const double k = swellray::solveWavenumber(omega, depth);
+    const double angle = std::asin(k0 / k * std::sin(angle0));
+    const double share = density[i] * df[i] * 0.5 * omega / k0 / swellray::waveSpeeds(k, depth).groupSpeed *
+      std::cos(angle0) / std::cos(angle);
+    m0 += share;
+    mean += share * glm::dvec2(std::cos(angle), std::sin(angle));
+  }
+  const double height = 4.0 * std::sqrt(m0);
+  const double angle = std::atan2(mean.y, mean.x);
   EXPECT_NEAR(scene.value("Depth"), depth, 1e-6);
   EXPECT_NEAR(scene.value("SignificantWaveHeight"), height, NarrowHeight * height);
   EXPECT_NEAR(scene.value("MeanDirectionFrom"), 90.0 - swellray::degrees(angle), NarrowDirection);

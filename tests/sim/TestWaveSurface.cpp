@@ -88,8 +88,12 @@ struct Bundle
   SurfaceRays rays() const
   {
     SurfaceRays rays;
-    rays.sheet.lines = { this->Parameter.size(), this->Offsets.data(), this->Positions.data(), this->Phase.data(),
-      this->Parameter.data(), this->Segment.data() };
+    rays.sheet.lines.rays = this->Parameter.size();
+    rays.sheet.lines.offsets = this->Offsets.data();
+    rays.sheet.lines.positions = this->Positions.data();
+    rays.sheet.lines.phase = this->Phase.data();
+    rays.sheet.lines.launchParameter = this->Parameter.data();
+    rays.sheet.lines.launchSegment = this->Segment.data();
     rays.sheet.parent = this->Parent.data();
     rays.sheet.lee = this->Lee.data();
     rays.sheet.direction = this->Direction.data();
