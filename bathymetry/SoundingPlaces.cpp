@@ -20,6 +20,10 @@ namespace swellray
 namespace
 {
 
+// No unit of length makes coordinates on Earth larger; the predicates of triangulation overflow at the root of the
+// largest double.
+constexpr double FarthestPlace = 1e12;
+
 void check(const Soundings& soundings)
 {
   const std::size_t n = soundings.z.size();
@@ -170,6 +174,11 @@ SoundingPlaces findPlaces(const Soundings& soundings, const SeafloorOptions& opt
     {
       ++report.missing;
       continue;
+    }
+    if (std::abs(soundings.x[i]) > FarthestPlace || std::abs(soundings.y[i]) > FarthestPlace)
+    {
+      throw std::runtime_error("it has a sounding at " + text(soundings.x[i]) + ", " + text(soundings.y[i]) +
+        ", which is no place on Earth in any unit");
     }
     const double elevation = places.meaning.factor * soundings.z[i];
     if (std::abs(elevation) > FarthestElevation)

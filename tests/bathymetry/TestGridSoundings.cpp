@@ -384,6 +384,9 @@ TEST(GridSoundings, RefusesWhatMakesNoSurface)
   EXPECT_THAT(messageOf(same, options), HasSubstr("at 1 places"));
   EXPECT_THAT(messageOf(scatter(50, { 100.0, 100.0 }, plane), local(90.0)), HasSubstr("fewer than 4 x 4"));
   EXPECT_THAT(messageOf(scatter(50, { 1e6, 1e6 }, wavy), local(1.0)), HasSubstr("million nodes"));
+  Soundings far = scatter(50, { 100.0, 100.0 }, plane);
+  far.add(1e200, 3.0, -4.0);
+  EXPECT_THAT(messageOf(far, options), HasSubstr("at 1e+200, 3, which is no place on Earth"));
   Soundings short1 = scatter(50, { 100.0, 100.0 }, plane);
   short1.z.pop_back();
   EXPECT_THROW(gridSoundings(short1, options), std::invalid_argument);
