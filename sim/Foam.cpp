@@ -57,7 +57,8 @@ void computeFoam(
         // Later waves leave more; earlier ones count where they broke sooner.
         double most = 0.0;
         double wave = std::ceil((places.phase[i] - passed) / (2.0 * Pi));
-        for (double age = passed + 2.0 * Pi * wave - places.phase[i]; age < life; age += 2.0 * Pi, wave += 1.0)
+        double age = passed + 2.0 * Pi * wave - places.phase[i];
+        while (age < life)
         {
           const double delay = broken >= largestDelay + OnsetPhase ? 0.0
             : largestDelay > 0.0                                   ? largestDelay *
@@ -70,6 +71,8 @@ void computeFoam(
           {
             break;
           }
+          age += 2.0 * Pi;
+          wave += 1.0;
         }
         foam[i] = static_cast<float>(most);
       }

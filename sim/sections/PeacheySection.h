@@ -36,8 +36,8 @@ public:
   /** The power of u at a depth ratio delta. */
   double power(double depthRatio) const;
 
-  /** Profile w(u) of range 2 and mean 0: u in [0, 1], the share of sharpness in [0, 1], the power >= 1. */
-  Dual profile(const Dual& u, double sharpness, double power) const;
+  /** Profile w(u) of range 2 and mean 0: u in [0, 1], the share of sharpness in [0, 1], the power of u >= 1. */
+  Dual profile(const Dual& u, double sharpness, double exponent) const;
 
   Displacement displacement(const Shape&, const SectionPlace& place, const Dual& phase) const
   {
