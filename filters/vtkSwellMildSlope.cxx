@@ -196,6 +196,10 @@ int vtkSwellMildSlope::RequestData(
   vtkPolyData* points = vtkPolyData::GetData(outputVector, 1);
   try
   {
+    if (swellray::georeferenceOf(input).mercator())
+    {
+      throw std::invalid_argument("the mild-slope equation is solved on a plane: read the seafloor on the plane");
+    }
     swellray::IncidentWave wave;
     wave.period = this->Period;
     wave.directionFrom = this->DirectionFrom;

@@ -4,6 +4,7 @@
 #include "sim/Dispersion.h"
 #include "vtkSwellContours.h"
 #include "vtkSwellMap.h"
+#include "vtkSwellMildSlope.h"
 #include "vtkSwellRayTracer.h"
 #include "vtkSwellSeafloorReader.h"
 #include "vtkSwellWaveHeight.h"
@@ -220,6 +221,16 @@ TEST_F(EllipsoidIsland, AnImageFileKeepsTheGrid)
   {
     EXPECT_EQ(at(second->GetPointData(), "Depth", i), at(first->GetPointData(), "Depth", i));
   }
+}
+
+TEST_F(EllipsoidTracer, TheMildSlopeEquationRefusesIt)
+{
+  vtkNew<vtkSwellMildSlope> filter;
+  filter->SetInputConnection(this->Reader->GetOutputPort());
+  vtkNew<Listener> listener;
+  listener->listenTo(filter);
+  filter->Update();
+  EXPECT_THAT(listener->Errors, testing::ElementsAre(testing::HasSubstr("solved on a plane")));
 }
 
 TEST_F(EllipsoidTracer, RefusesTheSnellScheme)
