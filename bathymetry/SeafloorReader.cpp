@@ -65,28 +65,6 @@ void noteLikelyMark(const FileGrid& file, const VerticalMeaning& meaning, std::v
   }
 }
 
-void countShares(const ElevationGrid& grid, double waterLevel, SeafloorReport& report)
-{
-  std::size_t water = 0;
-  std::size_t land = 0;
-  report.lowest = std::numeric_limits<double>::infinity();
-  report.highest = -report.lowest;
-  for (const double z : grid.elevation)
-  {
-    if (std::isnan(z))
-    {
-      continue;
-    }
-    ++(z < waterLevel ? water : land);
-    report.lowest = std::min(report.lowest, z);
-    report.highest = std::max(report.highest, z);
-  }
-  const auto total = static_cast<double>(grid.elevation.size());
-  report.waterShare = static_cast<double>(water) / total;
-  report.landShare = static_cast<double>(land) / total;
-  report.noDataShare = static_cast<double>(grid.elevation.size() - water - land) / total;
-}
-
 void requireWater(const ElevationGrid& grid, const SeafloorOptions& options, const VerticalMeaning& meaning)
 {
   const auto& z = grid.elevation;
@@ -115,7 +93,7 @@ void finish(
   said.rows = result.grid.rows;
   said.spacing = result.grid.spacing;
   said.extent = result.grid.bounds();
-  countShares(result.grid, options.waterLevel, said);
+  said.count(result.grid, options.waterLevel);
   if (said.waterShare == 0.0)
   {
     throw std::runtime_error("no water is left of it on the grid in metres");

@@ -3,6 +3,8 @@
 #include "bathymetry/Text.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace swellray
 {
@@ -21,6 +23,29 @@ std::string range(double low, double high, int digits)
   return text(low, digits) + " to " + text(high, digits);
 }
 
+}
+
+void SeafloorReport::count(const ElevationGrid& grid, double level)
+{
+  this->waterLevel = level;
+  this->lowest = std::numeric_limits<double>::infinity();
+  this->highest = -this->lowest;
+  std::size_t water = 0;
+  std::size_t land = 0;
+  for (const double z : grid.elevation)
+  {
+    if (std::isnan(z))
+    {
+      continue;
+    }
+    ++(z < level ? water : land);
+    this->lowest = std::min(this->lowest, z);
+    this->highest = std::max(this->highest, z);
+  }
+  const auto total = static_cast<double>(grid.elevation.size());
+  this->waterShare = static_cast<double>(water) / total;
+  this->landShare = static_cast<double>(land) / total;
+  this->noDataShare = static_cast<double>(grid.elevation.size() - water - land) / total;
 }
 
 std::vector<std::pair<std::string, std::string>> SeafloorReport::lines() const

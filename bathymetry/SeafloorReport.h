@@ -2,7 +2,7 @@
 
 #include "bathymetry/Georeference.h"
 #include "bathymetry/SoundingReport.h"
-#include "sim/Seafloor.h"
+#include "sim/ElevationGrid.h"
 
 #include <cstddef>
 #include <optional>
@@ -54,6 +54,9 @@ struct SeafloorReport
   std::optional<SoundingReport> soundings; ///< of a survey or a mesh without rows and columns
 
   std::vector<std::string> notes; ///< what a user should know, one line each
+
+  /** Set the water level, the elevations' range and the shares of the nodes of the resulting grid. */
+  void count(const ElevationGrid& grid, double level);
 
   /** The report as label and text, in the order in which it is to be printed. */
   std::vector<std::pair<std::string, std::string>> lines() const;

@@ -1,19 +1,16 @@
 #include "CurrentSource.h"
 
 #include "GeoreferenceField.h"
+#include "ImageFile.h"
 #include "SeafloorField.h"
 #include "bathymetry/CurrentReader.h"
 #include "bathymetry/Text.h"
 #include "sim/BuiltinCurrent.h"
 #include "sim/SplineCurrent.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkXMLImageDataReader.h>
 
 #include <cmath>
 #include <filesystem>
@@ -94,24 +91,7 @@ glm::dvec2 shiftOf(const Georeference& own, const Georeference& scene)
 
 std::shared_ptr<const Current> loadImage(const std::string& path, const Georeference& scene)
 {
-  vtkNew<vtkXMLImageDataReader> reader;
-  if (!reader->CanReadFile(path.c_str()))
-  {
-    throw std::runtime_error("no such file, or not a VTK image (.vti)");
-  }
-  // One line says what went wrong, not the reader's own report beside it.
-  vtkNew<vtkCallbackCommand> failure;
-  bool failed = false;
-  failure->SetClientData(&failed);
-  failure->SetCallback([](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, failure);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  if (failed || reader->GetErrorCode() != 0 || image->GetNumberOfPoints() == 0)
-  {
-    throw std::runtime_error("the file is damaged or empty");
-  }
+  const vtkSmartPointer<vtkImageData> image = readImageFile(path);
   vtkPointData* data = image->GetPointData();
   vtkSmartPointer<vtkDataArray> u = data->GetArray("u");
   vtkSmartPointer<vtkDataArray> v = data->GetArray("v");
@@ -150,12 +130,10 @@ std::string describeSource(const std::string& name, const Georeference& scene, c
   return words.str();
 }
 
-// A name that cannot be that of a file is a built-in current with a mistake in it.
 bool looksBuiltIn(const std::string& name)
 {
   std::error_code none;
-  return isBuiltinCurrent(name) ||
-    (!std::filesystem::exists(name, none) && name.find_first_of("./\\") > name.find(':'));
+  return isBuiltinCurrent(name) || (!std::filesystem::exists(name, none) && resemblesBuiltinCurrent(name));
 }
 
 }

@@ -2,6 +2,7 @@
 
 #include "FieldData.h"
 #include "GeoreferenceField.h"
+#include "ImageFile.h"
 #include "SeafloorField.h"
 #include "bathymetry/FillGaps.h"
 #include "bathymetry/SmoothGrid.h"
@@ -9,17 +10,14 @@
 #include "sim/BuiltinSeafloor.h"
 #include "sim/SplineSeafloor.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkXMLImageDataReader.h>
 
 #include <glm/common.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <stdexcept>
 
@@ -84,27 +82,12 @@ void describe(Bathymetry& bathymetry, double waterLevel, const std::string& name
   report.rows = grid.rows;
   report.spacing = grid.spacing;
   report.extent = grid.bounds();
-  report.waterLevel = waterLevel;
-  report.lowest = std::numeric_limits<double>::infinity();
-  report.highest = -std::numeric_limits<double>::infinity();
-  std::size_t water = 0;
-  std::size_t holes = 0;
-  for (const double z : grid.elevation)
-  {
-    holes += std::isnan(z) ? 1 : 0;
-    water += z < waterLevel ? 1 : 0;
-    report.lowest = z < report.lowest ? z : report.lowest;
-    report.highest = z > report.highest ? z : report.highest;
-  }
-  const auto nodes = static_cast<double>(grid.elevation.size());
-  report.noDataShare = static_cast<double>(holes) / nodes;
-  report.waterShare = static_cast<double>(water) / nodes;
-  report.landShare = static_cast<double>(grid.elevation.size() - holes - water) / nodes;
-  if (holes == grid.elevation.size())
+  report.count(grid, waterLevel);
+  if (report.noDataShare == 1.0)
   {
     throw std::runtime_error("'" + name + "' has no elevations: every node is without data");
   }
-  if (water == 0)
+  if (report.waterShare == 0.0)
   {
     throw std::runtime_error("'" + name + "' has no water at water level " + text(waterLevel) +
       " m: its elevations are " + text(report.lowest) + " to " + text(report.highest) +
@@ -197,23 +180,14 @@ void cropGrid(Bathymetry& bathymetry, const std::array<double, 4>& crop, const s
 
 SeafloorScene loadImage(const std::string& path, const SeafloorOptions& options, const Execution& execution)
 {
-  vtkNew<vtkXMLImageDataReader> reader;
-  if (!reader->CanReadFile(path.c_str()))
+  vtkSmartPointer<vtkImageData> image;
+  try
   {
-    throw std::runtime_error("cannot read '" + path + "': no such file, or not a VTK image (.vti)");
+    image = readImageFile(path);
   }
-  // One line says what went wrong, not the reader's own report beside it.
-  vtkNew<vtkCallbackCommand> failure;
-  bool failed = false;
-  failure->SetClientData(&failed);
-  failure->SetCallback([](vtkObject*, unsigned long, void* client, void*) { *static_cast<bool*>(client) = true; });
-  reader->AddObserver(vtkCommand::ErrorEvent, failure);
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  if (failed || reader->GetErrorCode() != 0 || image->GetNumberOfPoints() == 0)
+  catch (const std::runtime_error& error)
   {
-    throw std::runtime_error("cannot read '" + path + "': the file is damaged or empty");
+    throw std::runtime_error("cannot read '" + path + "': " + error.what());
   }
 
   SeafloorScene scene;
@@ -294,7 +268,8 @@ bool endsWith(const std::string& name, const std::string& ending)
 SeafloorScene loadSeafloor(const std::string& name, const SeafloorOptions& options, const Execution& execution)
 {
   options.validate();
-  if (isBuiltinSeafloor(name))
+  std::error_code none;
+  if (isBuiltinSeafloor(name) || (!std::filesystem::exists(name, none) && resemblesBuiltinSeafloor(name)))
   {
     return loadForm(name, options, execution);
   }

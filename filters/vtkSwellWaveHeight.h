@@ -21,7 +21,7 @@
  * - RefractionCoefficient (double): Kr in use
  * - WaveHeight (double, m): crest to trough; with Battjes-Janssen the root mean square of a sea's heights, as is then
  *   the incident height
- * - EnergyFlux (double, W/m): along the ray, a metre of crest
+ * - EnergyFlux (double, W/m): along the ray, a metre across it; on a current omega times the flux of wave action
  * - OrbitalVelocity (double, m/s): amplitude near the bed
  * - Breaking (unsigned char): 1 where the wave is broken (Battjes-Janssen: more than 5 % of the waves), otherwise 0
  * - BreakerType (unsigned char): 0 not broken, 1 spilling, 2 plunging, 3 surging: by the Iribarren number xi_0 where this

@@ -1,12 +1,10 @@
 #include "sim/BuiltinCurrent.h"
 
 #include "sim/Angles.h"
-#include "sim/forms/FormValues.h"
-#include "sim/forms/NearestWord.h"
+#include "sim/forms/FormCatalogue.h"
+#include "sim/forms/FormKeys.h"
 
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 namespace swellray
 {
@@ -14,8 +12,9 @@ namespace swellray
 namespace
 {
 
-constexpr double LargestDistance = 1e7; // m
-constexpr double LargestSpeed = 20.0;   // m/s
+using namespace formkeys;
+
+constexpr double LargestSpeed = 20.0; // m/s
 
 /**
  * A parallel current: along a fixed direction, its speed a function of the distance s to the right of an axis.
@@ -137,28 +136,6 @@ private:
   double Radius;
 };
 
-using Maker = std::unique_ptr<Current> (*)(const FormValues&);
-
-struct Form
-{
-  FormDescription description;
-  Maker make;
-};
-
-FormKey number(const std::string& name, const std::string& symbol, const std::string& unit, double value, double low,
-  double high, const std::string& description)
-{
-  FormKey key;
-  key.name = name;
-  key.symbol = symbol;
-  key.unit = unit;
-  key.description = description;
-  key.value = value;
-  key.low = low;
-  key.high = high;
-  return key;
-}
-
 FormKey speed(const std::string& symbol, double value, const std::string& description)
 {
   return number("speed", symbol, "m/s", value, -LargestSpeed, LargestSpeed, description);
@@ -166,12 +143,7 @@ FormKey speed(const std::string& symbol, double value, const std::string& descri
 
 FormKey position(const std::string& name, const std::string& description)
 {
-  return number(name, "", "m", 0.0, -LargestDistance, LargestDistance, description);
-}
-
-FormKey length(const std::string& name, const std::string& symbol, double value, const std::string& description)
-{
-  return number(name, symbol, "m", value, 1e-3, LargestDistance, description);
+  return formkeys::position(name, 0.0, description);
 }
 
 FormKey heading()
@@ -179,75 +151,53 @@ FormKey heading()
   return number("heading", "", "deg", 0.0, -360.0, 360.0, "nautical direction that it flows to; 0: U = (0, V)");
 }
 
-const std::vector<Form>& forms()
+const FormCatalogue<Current>& catalogue()
 {
-  static const std::vector<Form> all = {
-    { { "jet", "jet", "V = V0 exp(-(x/w)^2), x: distance to the right of its axis", "",
-        { speed("V0", 2.0, "speed on the axis"), length("width", "w", 200.0, "half width at 1/e of the speed"),
-          heading(), position("xc", "a point on the axis, east"), position("yc", "a point on the axis, north") },
-        270.0, 10.0 },
-      [](const FormValues& v) -> std::unique_ptr<Current>
-      { return std::make_unique<JetCurrent>(glm::dvec2(v["xc"], v["yc"]), v["heading"], v["speed"], v["width"]); } },
-    { { "shear", "current of constant shear", "V = V0 + S x, x: distance to the right of its axis", "",
-        { speed("V0", 0.0, "speed on the axis"), number("rate", "S", "1/s", 0.001, -1.0, 1.0, "shear"), heading(),
-          position("xc", "a point on the axis, east"), position("yc", "a point on the axis, north") },
-        270.0, 10.0 },
-      [](const FormValues& v) -> std::unique_ptr<Current>
-      { return std::make_unique<ShearCurrent>(glm::dvec2(v["xc"], v["yc"]), v["heading"], v["speed"], v["rate"]); } },
-    { { "eddy", "eddy, r from its centre", "U = U0 (r/R) exp((1 - (r/R)^2)/2) around the centre, anticlockwise", "",
-        { speed("U0", 1.5, "largest speed, negative: clockwise"),
-          length("radius", "R", 300.0, "distance from the centre at which the speed is largest"),
-          position("xc", "centre, east"), position("yc", "centre, north") },
-        270.0, 10.0 },
-      [](const FormValues& v) -> std::unique_ptr<Current>
-      { return std::make_unique<EddyCurrent>(glm::dvec2(v["xc"], v["yc"]), v["speed"], v["radius"]); } },
-  };
+  static const FormCatalogue<Current> all("current",
+    {
+      { { "jet", "jet", "V = V0 exp(-(x/w)^2), x: distance to the right of its axis", "",
+          { speed("V0", 2.0, "speed on the axis"), length("width", "w", 200.0, "half width at 1/e of the speed"),
+            heading(), position("xc", "a point on the axis, east"), position("yc", "a point on the axis, north") },
+          270.0, 10.0 },
+        [](const FormValues& v) -> std::unique_ptr<Current>
+        { return std::make_unique<JetCurrent>(glm::dvec2(v["xc"], v["yc"]), v["heading"], v["speed"], v["width"]); } },
+      { { "shear", "current of constant shear", "V = V0 + S x, x: distance to the right of its axis", "",
+          { speed("V0", 0.0, "speed on the axis"), number("rate", "S", "1/s", 0.001, -1.0, 1.0, "shear"), heading(),
+            position("xc", "a point on the axis, east"), position("yc", "a point on the axis, north") },
+          270.0, 10.0 },
+        [](const FormValues& v) -> std::unique_ptr<Current>
+        { return std::make_unique<ShearCurrent>(glm::dvec2(v["xc"], v["yc"]), v["heading"], v["speed"], v["rate"]); } },
+      { { "eddy", "eddy, r from its centre", "U = U0 (r/R) exp((1 - (r/R)^2)/2) around the centre, anticlockwise", "",
+          { speed("U0", 1.5, "largest speed, negative: clockwise"),
+            length("radius", "R", 300.0, "distance from the centre at which the speed is largest"),
+            position("xc", "centre, east"), position("yc", "centre, north") },
+          270.0, 10.0 },
+        [](const FormValues& v) -> std::unique_ptr<Current>
+        { return std::make_unique<EddyCurrent>(glm::dvec2(v["xc"], v["yc"]), v["speed"], v["radius"]); } },
+    });
   return all;
-}
-
-std::string nameOf(const std::string& spec)
-{
-  return spec.substr(0, spec.find(':'));
 }
 
 }
 
 const std::vector<FormDescription>& builtinCurrents()
 {
-  static const std::vector<FormDescription> descriptions = []
-  {
-    std::vector<FormDescription> list;
-    for (const Form& form : forms())
-    {
-      list.push_back(form.description);
-    }
-    return list;
-  }();
-  return descriptions;
+  return catalogue().descriptions();
 }
 
 bool isBuiltinCurrent(const std::string& spec)
 {
-  const std::string name = nameOf(spec);
-  return std::any_of(
-    forms().begin(), forms().end(), [&name](const Form& form) { return form.description.name == name; });
+  return catalogue().has(spec);
+}
+
+bool resemblesBuiltinCurrent(const std::string& spec)
+{
+  return catalogue().resembles(spec);
 }
 
 std::unique_ptr<Current> makeBuiltinCurrent(const std::string& spec)
 {
-  const std::string name = nameOf(spec);
-  std::vector<std::string> names;
-  for (const Form& form : forms())
-  {
-    if (form.description.name == name)
-    {
-      const std::string keys = spec.size() > name.size() ? spec.substr(name.size() + 1) : std::string();
-      return form.make(FormValues(form.description, keys, "current"));
-    }
-    names.push_back(form.description.name);
-  }
-  throw std::invalid_argument(
-    "unknown built-in current '" + name + "'; did you mean '" + nearestWord(name, names) + "'?");
+  return catalogue().make(spec);
 }
 
 }

@@ -16,6 +16,9 @@ const std::vector<FormDescription>& builtinCurrents();
 /** True where the text before the first ':' of spec is the name of a built-in current. */
 bool isBuiltinCurrent(const std::string& spec);
 
+/** True where spec, should it name no file, means a built-in current and may be misspelt: makeBuiltinCurrent says how. */
+bool resemblesBuiltinCurrent(const std::string& spec);
+
 /**
  * Make a built-in current, known everywhere.
  * @param spec `NAME` or `NAME:key=value,...`

@@ -6,15 +6,12 @@
 #include "sim/forms/CurvedCoast.h"
 #include "sim/forms/DeanBeach.h"
 #include "sim/forms/EllipsoidShoal.h"
-#include "sim/forms/FormValues.h"
+#include "sim/forms/FormCatalogue.h"
+#include "sim/forms/FormKeys.h"
 #include "sim/forms/GaussianShoal.h"
-#include "sim/forms/NearestWord.h"
 #include "sim/forms/ParabolicIsland.h"
 #include "sim/forms/PlaneBeach.h"
 #include "sim/forms/PolynomialShoal.h"
-
-#include <algorithm>
-#include <stdexcept>
 
 namespace swellray
 {
@@ -22,31 +19,10 @@ namespace swellray
 namespace
 {
 
-using Maker = std::unique_ptr<Seafloor> (*)(const FormValues&);
+using namespace formkeys;
+using Form = FormCatalogue<Seafloor>::Form;
 
-struct Form
-{
-  FormDescription description;
-  Maker make;
-};
-
-constexpr double LargestDistance = 1e7; // m
-constexpr double SmallestLength = 1e-3; // m
-constexpr double LargestDepth = 2e4;    // m
-
-FormKey number(const std::string& name, const std::string& symbol, const std::string& unit, double value, double low,
-  double high, const std::string& description)
-{
-  FormKey key;
-  key.name = name;
-  key.symbol = symbol;
-  key.unit = unit;
-  key.description = description;
-  key.value = value;
-  key.low = low;
-  key.high = high;
-  return key;
-}
+constexpr double LargestDepth = 2e4; // m
 
 FormKey onlyFor(const std::string& kind, FormKey key)
 {
@@ -54,19 +30,9 @@ FormKey onlyFor(const std::string& kind, FormKey key)
   return key;
 }
 
-FormKey length(const std::string& name, const std::string& symbol, double value, const std::string& description)
-{
-  return number(name, symbol, "m", value, SmallestLength, LargestDistance, description);
-}
-
 FormKey depth(const std::string& name, const std::string& symbol, double value, const std::string& description)
 {
   return number(name, symbol, "m", value, SmallestLength, LargestDepth, description);
-}
-
-FormKey position(const std::string& name, double value, const std::string& description)
-{
-  return number(name, "", "m", value, -LargestDistance, LargestDistance, description);
 }
 
 FormKey slope(double value)
@@ -311,56 +277,34 @@ Form babbageForm()
     { return std::make_unique<BabbageBeach>(v.bounds(), v["offshore-depth"]); } };
 }
 
-const std::vector<Form>& forms()
+const FormCatalogue<Seafloor>& catalogue()
 {
-  static const std::vector<Form> all = { planeForm(), deanForm(), barForm(), bayForm(), headlandForm(), islandForm(),
-    shoalForm(), berkhoffForm(), vincentBriggsForm(), babbageForm() };
+  static const FormCatalogue<Seafloor> all("seafloor",
+    { planeForm(), deanForm(), barForm(), bayForm(), headlandForm(), islandForm(), shoalForm(), berkhoffForm(),
+      vincentBriggsForm(), babbageForm() });
   return all;
-}
-
-std::string nameOf(const std::string& spec)
-{
-  return spec.substr(0, spec.find(':'));
 }
 
 }
 
 const std::vector<FormDescription>& builtinForms()
 {
-  static const std::vector<FormDescription> descriptions = []
-  {
-    std::vector<FormDescription> list;
-    for (const Form& form : forms())
-    {
-      list.push_back(form.description);
-    }
-    return list;
-  }();
-  return descriptions;
+  return catalogue().descriptions();
 }
 
 bool isBuiltinSeafloor(const std::string& spec)
 {
-  const std::string name = nameOf(spec);
-  return std::any_of(
-    forms().begin(), forms().end(), [&name](const Form& form) { return form.description.name == name; });
+  return catalogue().has(spec);
+}
+
+bool resemblesBuiltinSeafloor(const std::string& spec)
+{
+  return catalogue().resembles(spec);
 }
 
 std::unique_ptr<Seafloor> makeBuiltinSeafloor(const std::string& spec)
 {
-  const std::string name = nameOf(spec);
-  std::vector<std::string> names;
-  for (const Form& form : forms())
-  {
-    if (form.description.name == name)
-    {
-      const std::string keys = spec.size() > name.size() ? spec.substr(name.size() + 1) : std::string();
-      return form.make(FormValues(form.description, keys));
-    }
-    names.push_back(form.description.name);
-  }
-  throw std::invalid_argument(
-    "unknown built-in seafloor '" + name + "'; did you mean '" + nearestWord(name, names) + "'?");
+  return catalogue().make(spec);
 }
 
 }

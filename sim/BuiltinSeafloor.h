@@ -41,6 +41,9 @@ const std::vector<FormDescription>& builtinForms();
 /** True where the text before the first ':' of spec is the name of a built-in form. */
 bool isBuiltinSeafloor(const std::string& spec);
 
+/** True where spec, should it name no file, means a built-in form and may be misspelt: makeBuiltinSeafloor says how. */
+bool resemblesBuiltinSeafloor(const std::string& spec);
+
 /**
  * Make a built-in seafloor.
  * @param spec `NAME` or `NAME:key=value,...`

@@ -37,7 +37,8 @@ WaveSetUp waveSetUp(double height, double depth, double wavenumber);
 
 /**
  * Longshore energy flux factor P_ls = rho g Hs^2 Cg sin(2 theta)/16, W/m of beach, signed as theta.
- * Shore Protection Manual 1984, chapter 4, linear theory at breaking.
+ * Shore Protection Manual 1984, chapter 4, linear theory at breaking. It is C times the radiation stress S_xy of the wave in
+ * the water (Longuet-Higgins and Stewart 1964), so that C and Cg are relative to the water where there is a current.
  * @param significantHeight Hs, m
  */
 double longshoreEnergyFlux(double significantHeight, double groupSpeed, double angle, double gravity);

@@ -179,6 +179,7 @@ void computeHeights(
   const double cap = options.caustics == CausticRule::Geometric ? std::numeric_limits<double>::infinity()
                                                                 : std::max(options.maxRefraction, folds.highestPeak());
   const double fluxFactor = SeaWaterDensity * wave.gravity / 8.0;
+  const double groupSpeedOffshore = wave.groupSpeed();
   const std::vector<double> way = waysAlong(profile);
 
   double refraction = std::min(1.0, cap); // in use until one is known
@@ -216,7 +217,9 @@ void computeHeights(
     const double height = march.height();
     result.refraction[i] = refraction;
     result.height[i] = height;
-    result.energyFlux[i] = fluxFactor * height * height * profile.groupSpeed[i];
+    // Cg without a current and omega |V|/sigma on one: both are Cg0/Ks^2.
+    const double fluxSpeed = groupSpeedOffshore / (profile.shoaling[i] * profile.shoaling[i]);
+    result.energyFlux[i] = fluxFactor * height * height * fluxSpeed;
     // H sigma/(2 sinh kh) with sigma^2 = g k tanh kh, which holds on a current too.
     const double k = profile.wavenumber[i];
     result.orbitalVelocity[i] = height * std::sqrt(wave.gravity * k / (2.0 * std::sinh(2.0 * k * profile.depth[i])));

@@ -53,9 +53,13 @@ struct HeightOptions
 /** Wave quantities at the points of one ray; all vectors have one entry a point. */
 struct RayHeights
 {
-  std::vector<double> refraction;        ///< Kr in use, -
-  std::vector<double> height;            ///< H, m
-  std::vector<double> energyFlux;        ///< rho g H^2 Cg / 8, W/m
+  std::vector<double> refraction; ///< Kr in use, -
+  std::vector<double> height;     ///< H, m
+  /**
+   * W across a metre of the tube: rho g H^2 Cg/8; on a current rho g H^2/8 (omega/sigma) |Cg k/|k| + U|, omega times the
+   * flux of wave action, which is what a tube without losses keeps (Bretherton and Garrett 1968).
+   */
+  std::vector<double> energyFlux;
   std::vector<double> orbitalVelocity;   ///< H sigma/(2 sinh kh), amplitude near the bed, m/s
   std::vector<std::uint8_t> breaking;    ///< 1 where the wave breaks; of random waves where more than 5 % do
   std::vector<std::uint8_t> breakerType; ///< BreakerType of the wave where it breaks, by xi_0 where breaking began

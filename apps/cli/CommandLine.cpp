@@ -7,6 +7,8 @@
 #include "Values.h"
 #include "Version.h"
 
+#include "sim/forms/NearestWord.h"
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -201,7 +203,7 @@ void Parser::refuseExtra(const std::string& extra, const std::vector<Registered>
     const auto own = namesOf(registered.spec);
     names.insert(names.end(), own.begin(), own.end());
   }
-  throw UsageError(fmt::format("unknown option '{}'{}; did you mean '{}'?", word, where, suggestion(word, names)));
+  throw UsageError(fmt::format("unknown option '{}'{}; did you mean '{}'?", word, where, nearestWord(word, names)));
 }
 
 void Parser::refuseExtras() const
@@ -219,7 +221,7 @@ void Parser::refuseExtras() const
       {
         this->refuseExtra(extra, this->Common, "");
       }
-      throw UsageError(fmt::format("unknown command '{}'; did you mean '{}'?", extra, suggestion(extra, names)));
+      throw UsageError(fmt::format("unknown command '{}'; did you mean '{}'?", extra, nearestWord(extra, names)));
     }
     throw UsageError("no command given; the commands are " + alternatives(names));
   }
@@ -334,7 +336,7 @@ void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
   if (!this->belongsToAnyCommand(name))
   {
     throw UsageError(fmt::format(
-      "{}: unknown option '{}'; did you mean '{}'?", this->ConfigFile, item.name, suggestion(item.name, names)));
+      "{}: unknown option '{}'; did you mean '{}'?", this->ConfigFile, item.name, nearestWord(item.name, names)));
   }
 }
 

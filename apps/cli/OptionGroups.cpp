@@ -100,7 +100,7 @@ OptionSpec currentOption(RayRequest& rays)
   {
     setName(typed);
     std::error_code none;
-    if (isBuiltinCurrent(typed) || (typed.find(':') != std::string::npos && !std::filesystem::exists(typed, none)))
+    if (isBuiltinCurrent(typed) || (!std::filesystem::exists(typed, none) && resemblesBuiltinCurrent(typed)))
     {
       try
       {

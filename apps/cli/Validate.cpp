@@ -7,6 +7,7 @@
 
 #include "apps/validation/Case.h"
 #include "apps/validation/Report.h"
+#include "sim/forms/NearestWord.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +45,7 @@ std::vector<Case> chosenCases(const std::vector<std::string>& words)
     if (std::none_of(names.begin(), names.end(), [&](const std::string& name) { return name.rfind(word, 0) == 0; }))
     {
       throw UsageError(
-        fmt::format("no case begins with '{}'; did you mean '{}'? (see --list)", word, suggestion(word, names)));
+        fmt::format("no case begins with '{}'; did you mean '{}'? (see --list)", word, nearestWord(word, names)));
     }
   }
   std::vector<Case> chosen;

@@ -2,7 +2,6 @@
 
 #include "Failure.h"
 
-#include "sim/forms/NearestWord.h"
 
 #include <fmt/format.h>
 
@@ -140,19 +139,6 @@ std::size_t parseChoice(const std::string& option, const std::string& text, cons
     throw UsageError(fmt::format("{} must be {}, not '{}'", option, alternatives(words), text));
   }
   return static_cast<std::size_t>(found - words.begin());
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& candidates)
-{
-  // Of a word that was begun but not finished, the candidate is far away by edits.
-  for (const std::string& candidate : candidates)
-  {
-    if (word.size() >= 3 && candidate.compare(0, word.size(), word) == 0)
-    {
-      return candidate;
-    }
-  }
-  return nearestWord(word, candidates);
 }
 
 std::string alternatives(const std::vector<std::string>& words)

@@ -32,9 +32,6 @@ std::array<int, 2> parseSize(const std::string& option, const std::string& text)
 /** Place of the word in the list. @throws UsageError that lists them */
 std::size_t parseChoice(const std::string& option, const std::string& text, const std::vector<std::string>& words);
 
-/** The candidate that a mistyped word was most likely meant to be; empty where there are none. */
-std::string suggestion(const std::string& word, const std::vector<std::string>& candidates);
-
 /** Words as "a, b or c". */
 std::string alternatives(const std::vector<std::string>& words);
 

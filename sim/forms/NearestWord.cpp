@@ -7,9 +7,6 @@
 namespace swellray
 {
 
-namespace
-{
-
 std::size_t editDistance(const std::string& a, const std::string& b)
 {
   std::vector<std::size_t> row(b.size() + 1);
@@ -28,6 +25,9 @@ std::size_t editDistance(const std::string& a, const std::string& b)
   return row.back();
 }
 
+bool isBeginning(const std::string& letters, const std::string& word)
+{
+  return letters.size() >= 3 && word.compare(0, letters.size(), letters) == 0;
 }
 
 std::string nearestWord(const std::string& word, const std::vector<std::string>& words)
@@ -36,6 +36,10 @@ std::string nearestWord(const std::string& word, const std::vector<std::string>&
   std::size_t least = std::numeric_limits<std::size_t>::max();
   for (const std::string& candidate : words)
   {
+    if (isBeginning(word, candidate))
+    {
+      return candidate;
+    }
     const std::size_t distance = editDistance(word, candidate);
     if (distance < least)
     {

@@ -399,10 +399,27 @@ TEST(BuiltinSeafloor, knowsItsNames)
   EXPECT_NO_THROW(makeBuiltinSeafloor("plane:"));
 }
 
+TEST(BuiltinSeafloor, isMeantByAMisspeltName)
+{
+  for (const char* meant : { "gaus", "berkoff:toe=5.82", "plnae", "iland", "vincent", "nothing:slope=1", "bay:" })
+  {
+    EXPECT_TRUE(resemblesBuiltinSeafloor(meant)) << meant;
+  }
+  for (const char* file : { "", "hawaii", "harbour", "gauss.tif", "./bay", "/data/plane", "Plane", "plane2",
+         "NETCDF:\"x.nc\":z", "GPKG:a.gpkg:z" })
+  {
+    EXPECT_FALSE(resemblesBuiltinSeafloor(file)) << file;
+  }
+}
+
 TEST(BuiltinSeafloor, wrongCallsAreToldInOneLine)
 {
   const std::pair<const char*, const char*> wrong[] = {
     { "babage", "unknown built-in seafloor 'babage'; did you mean 'babbage'?" },
+    { "berkoff:toe=1", "unknown built-in seafloor 'berkoff'; did you mean 'berkhoff'?" },
+    { "vince", "did you mean 'vincent-briggs'?" },
+    { "gaus", "did you mean 'shoal:kind=gauss'?" },
+    { "conic:s=0.1", "did you mean 'island:kind=conical'?" },
     { "", "unknown built-in seafloor ''" },
     { "plane:slop=1", "unknown key 'slop'; did you mean 'slope'? Its keys: slope, offshore-depth, facing" },
     { "plane:=1", "unknown key ''" },

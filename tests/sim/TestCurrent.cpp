@@ -102,6 +102,14 @@ TEST(BuiltinCurrents, refuseWhatTheyDoNotKnow)
   EXPECT_THAT(messageOf("jet:w=0"), ::testing::HasSubstr("width"));
   EXPECT_TRUE(isBuiltinCurrent("eddy:U0=1"));
   EXPECT_FALSE(isBuiltinCurrent("current.nc"));
+  for (const char* meant : { "jet", "jett", "edy", "sheer:V0=1", "whirl:U0=1", "eddy:" })
+  {
+    EXPECT_TRUE(resemblesBuiltinCurrent(meant)) << meant;
+  }
+  for (const char* file : { "", "current.nc", "tide", "./jet", "NETCDF:\"a=b.nc\":u" })
+  {
+    EXPECT_FALSE(resemblesBuiltinCurrent(file)) << file;
+  }
 }
 
 TEST(SplineCurrents, wantTheSameNodesForBothComponents)

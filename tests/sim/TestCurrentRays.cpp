@@ -4,6 +4,7 @@
 #include "sim/BuiltinCurrent.h"
 #include "sim/BuiltinSeafloor.h"
 #include "sim/SplineCurrent.h"
+#include "sim/WaveHeight.h"
 
 #include <glm/vec4.hpp>
 #include <gtest/gtest.h>
@@ -226,6 +227,57 @@ TEST(CurrentRays, keepWhatAJetKeeps)
     }
     EXPECT_GT(point.position.x, -jet.from);
   }
+}
+
+TEST(CurrentRays, carryTheirActionAsEnergyFlux)
+{
+  // The flux through the tube is kept; the energy is not: the waves take from the jet and give to it.
+  const JetRay jet{ -1.2, 120.0, 5.0, 7.0, -700.0, 25.0 };
+  const JetSolution exact(jet);
+  const auto current = makeBuiltinCurrent("jet:V0=-1.2,w=120");
+  const FlatBed bed(Scene, jet.depth);
+  const RayMedium medium = mediumWith(bed, *current, jet.period);
+  IncidentWave wave;
+  wave.period = jet.period;
+  wave.height = 1.5;
+  wave.offshoreDepth = jet.depth;
+  HeightOptions options;
+  options.amplitude = AmplitudeRule::Tube;
+  options.breaking = BreakingRule::None;
+  HamiltonianRay ray(medium, exact.start(), Tolerance);
+  RayPoint point;
+  double incoming = 0.0;
+  double most = 0.0;
+  for (double time = 0.0; ray.advance(FrontMeasure::Time, time, point) && point.position.x < -jet.from; time += 10.0)
+  {
+    const double k = glm::length(point.wavenumber);
+    const WaveSpeeds speeds = waveSpeeds(k, point.depth);
+    const double shoaling = shoalingCoefficient(point, speeds, wave.groupSpeed(), medium.angularFrequency);
+    const double kr = refractionCoefficient(point.tubeWidth);
+    const auto state = static_cast<std::uint8_t>(RayState::Alive);
+    RayProfile profile;
+    profile.count = 1;
+    profile.depth = &point.depth;
+    profile.wavenumber = &k;
+    profile.groupSpeed = &speeds.groupSpeed;
+    profile.shoaling = &shoaling;
+    profile.krSpacing = &kr;
+    profile.krTube = &kr;
+    profile.state = &state;
+    RayHeights heights;
+    computeHeights(profile, wave, options, heights);
+    const double energy = SeaWaterDensity * StandardGravity * heights.height[0] * heights.height[0] / 8.0;
+    const glm::dvec2 velocity = speeds.groupSpeed / k * point.wavenumber + point.current;
+    const double sigma = k * speeds.phaseSpeed;
+    constexpr double Relative = 1e-9;
+    EXPECT_NEAR(
+      heights.energyFlux[0] / (energy * medium.angularFrequency / sigma * glm::length(velocity)), 1.0, Relative);
+    const double through = heights.energyFlux[0] * std::abs(point.tubeWidth);
+    incoming = time == 0.0 ? through : incoming;
+    EXPECT_NEAR(through / incoming, 1.0, Relative);
+    most = std::max(most, std::abs(energy * glm::length(velocity) * std::abs(point.tubeWidth) / incoming - 1.0));
+  }
+  EXPECT_GT(most, 0.02);
 }
 
 TEST(CurrentRays, turnBackFromAJetThatTheyCannotCross)

@@ -123,6 +123,10 @@ TEST(WaveHeight, TakesTheShoalingAsGiven)
   const RayHeights heights = ray.heights();
   EXPECT_NEAR(heights.height[0], 2.0 * 1.25, Rounding);
   EXPECT_NEAR(heights.height[1], 2.0 * 0.5, Rounding);
+  // H^2 goes as Ks^2, so that what is kept is the flux that came in.
+  const double incoming = 1025.0 * StandardGravity * 4.0 / 8.0 * ray.wave.groupSpeed();
+  EXPECT_NEAR(heights.energyFlux[0] / incoming, 1.0, Rounding);
+  EXPECT_NEAR(heights.energyFlux[1] / incoming, 1.0, Rounding);
 }
 
 TEST(WaveHeight, OrbitalVelocityNearTheBed)
