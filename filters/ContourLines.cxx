@@ -1,6 +1,6 @@
 #include "ContourLines.h"
 
-#include "AlgorithmExecution.h"
+#include "bathymetry/LevelRegions.h"
 
 #include <vtkCellArray.h>
 #include <vtkFlyingEdges2D.h>
@@ -13,6 +13,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -38,19 +39,12 @@ struct Crossing
  * point it gives is the exact middle of an edge. Its own points are in single precision, which is half a metre a
  * thousand kilometres from the origin.
  */
-vtkSmartPointer<vtkPolyData> edgesCrossed(const ElevationGrid& grid, double elevation)
+vtkSmartPointer<vtkPolyData> edgesCrossed(const ElevationGrid& grid, double elevation, double relief)
 {
   vtkNew<vtkUnsignedCharArray> above;
   above->SetNumberOfValues(static_cast<vtkIdType>(grid.elevation.size()));
-  unsigned char* values = above->GetPointer(0);
-  parallelFor(grid.elevation.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        values[i] = grid.elevation[i] >= elevation ? 1 : 0;
-      }
-    });
+  const std::vector<std::uint8_t> sides = sidesOfLevel(grid, elevation, relief);
+  std::copy(sides.begin(), sides.end(), above->GetPointer(0));
   vtkNew<vtkImageData> image;
   image->SetDimensions(static_cast<int>(grid.columns), static_cast<int>(grid.rows), 1);
   image->GetPointData()->SetScalars(above);
@@ -111,9 +105,9 @@ void follow(std::vector<Crossing>& crossings, std::size_t start, LineSet& lines)
 
 }
 
-void addContourLines(const ElevationGrid& grid, double elevation, LineSet& lines)
+void addContourLines(const ElevationGrid& grid, double elevation, double relief, LineSet& lines)
 {
-  const vtkSmartPointer<vtkPolyData> edges = edgesCrossed(grid, elevation);
+  const vtkSmartPointer<vtkPolyData> edges = edgesCrossed(grid, elevation, relief);
   std::vector<Crossing> crossings(static_cast<std::size_t>(edges->GetNumberOfPoints()));
   for (std::size_t i = 0; i < crossings.size(); ++i)
   {

@@ -120,6 +120,7 @@ int vtkSwellContours::RequestData(
   {
     swellray::dropGeographicGrid(output);
     checkAtLeastZero("Interval", this->Interval);
+    checkAtLeastZero("Relief", this->Relief);
     checkAtLeastZero("Simplify", this->Simplify);
     const swellray::ElevationGrid grid = swellray::gridOfImage(input, this->GetInputArrayToProcess(0, inputVector));
     if (grid.columns < 2 || grid.rows < 2)
@@ -140,7 +141,7 @@ int vtkSwellContours::RequestData(
         throw std::invalid_argument(
           "a contour level is " + std::to_string(levels[i]) + "; it must be a depth in metres");
       }
-      swellray::addContourLines(grid, this->WaterLevel - levels[i], lines);
+      swellray::addContourLines(grid, this->WaterLevel - levels[i], this->Relief, lines);
       depths.resize(lines.offsets.size() - 1, levels[i]);
       if (!execution.report(static_cast<double>(i + 1) / static_cast<double>(levels.size())))
       {
@@ -187,5 +188,6 @@ void vtkSwellContours::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n";
   os << indent << "Interval: " << this->Interval << "\n";
   os << indent << "WaterLevel: " << this->WaterLevel << "\n";
+  os << indent << "Relief: " << this->Relief << "\n";
   os << indent << "Simplify: " << this->Simplify << "\n";
 }

@@ -14,7 +14,7 @@
  * precision. The depth is WaterLevel less the elevation, m, positive in water.
  *
  * Input 0: vtkImageData with one layer of nodes, axes east and north, point array Elevation (m, positive up, NaN: a
- * hole). No line enters a cell that touches a hole.
+ * hole). No line enters a cell that touches a hole: it ends there.
  *
  * Output: one poly-line a contour, as long as it goes, its points at z = 0. A closed contour ends with its first point.
  * Shallower water (a smaller depth) lies on the LEFT of the line's direction, seen from above.
@@ -53,6 +53,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Ground that nowhere departs from a level by this much gets no line of its own, m; >= 0, default 0.02. Flats that
+   * are stored as just this level lie on the shallower side.
+   */
+  vtkSetMacro(Relief, double);
+  vtkGetMacro(Relief, double);
+  ///@}
+
+  ///@{
   /** Leave out points as long as lines stay this near to where they were and do not cross, m; >= 0, default 0: none. */
   vtkSetMacro(Simplify, double);
   vtkGetMacro(Simplify, double);
@@ -68,6 +77,7 @@ protected:
   std::vector<double> Levels;
   double Interval = 0.0;
   double WaterLevel = 0.0;
+  double Relief = 0.02;
   double Simplify = 0.0;
 
 private:

@@ -22,8 +22,8 @@ class SeafloorField;
  *
  * Output: vtkImageData, one layer, with these point arrays
  * - Elevation (double, m), Depth (double, m, negative on land); NaN: a hole of the seafloor
- * - WaveHeight (double, m; the scalars), DirectionFrom (double, nautical degrees), Wavelength (double, m): NaN on land
- *   and where no ray came
+ * - WaveHeight (double, m; the scalars), DirectionFrom (double, nautical degrees), Wavelength (double, m): NaN on land,
+ *   inside of obstacles and where no ray came
  * - Breaking (unsigned char): 1 where the highest wave is broken
  * - LeeRay (unsigned char): 1 where the highest wave comes by rays that model diffraction
  * - RayCount (int): sheets of rays, 0 where none came

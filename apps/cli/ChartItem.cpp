@@ -191,6 +191,22 @@ void ChartItem::paintMap(vtkContext2D* painter)
   {
     this->paintLine(painter, line);
   }
+  for (const ContourLabel& label : this->Lines.labels)
+  {
+    // A halo keeps the words apart from rays that cross them.
+    vtkTextProperty* style = painter->GetTextProp();
+    const double size = 0.62 * u;
+    style->SetOpacity(0.5);
+    style->SetColor(1.0, 1.0, 1.0);
+    for (const auto& [x, y] : { std::pair{ 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } })
+    {
+      this->text(painter, label.x + 0.08 * u * x, label.y + 0.08 * u * y, label.words, size, Align::Center, 0.0, false,
+        label.angle);
+    }
+    style->SetOpacity(1.0);
+    style->SetColor(Ink[0], Ink[1], Ink[2]);
+    this->text(painter, label.x, label.y, label.words, size, Align::Center, 0.0, false, label.angle);
+  }
   this->pen(painter, Ink, 0.04 * u);
   this->brush(painter, { 1.0, 1.0, 1.0 });
   for (std::size_t i = 0; i + 1 < this->Lines.breakers.size(); i += 2)

@@ -1,5 +1,6 @@
 #include "ChartLines.h"
 
+#include "ContourLabels.h"
 #include "Failure.h"
 
 #include "sim/RayField.h"
@@ -123,8 +124,10 @@ void keep(ChartLines& lines, PixelLine& line)
   line = PixelLine{};
 }
 
-void addPlainLine(ChartLines& lines, vtkPolyData* data, vtkIdType cell, const Projection& project, LineKind kind,
-  const Rgb& color, double opacity, double leastLength = 0.0)
+// @param words written along the line where there is a place for them
+void addPlainLine(ChartLines& lines, vtkPolyData* data, vtkIdType cell, const ChartLayout& layout,
+  const Projection& project, LineKind kind, const Rgb& color, double opacity, double leastLength = 0.0,
+  const std::string& words = "")
 {
   vtkIdType count = 0;
   const vtkIdType* ids = nullptr;
@@ -139,10 +142,17 @@ void addPlainLine(ChartLines& lines, vtkPolyData* data, vtkIdType cell, const Pr
       append(line, at, color, opacity);
     }
   }
-  if (lengthOf(line) >= leastLength)
+  if (lengthOf(line) < leastLength)
   {
-    keep(lines, line);
+    return;
   }
+  PixelLine rest;
+  if (!words.empty() && labelContour(line, words, layout, lines.labels, rest))
+  {
+    keep(lines, rest);
+    --lines.counts[kind]; // one line in two parts
+  }
+  keep(lines, line);
 }
 
 void addContours(ChartLines& lines, const ChartContent& content, const ChartLayout& layout, const Projection& project)
@@ -161,8 +171,8 @@ void addContours(ChartLines& lines, const ChartContent& content, const ChartLayo
     {
       levels.insert(depth);
     }
-    addPlainLine(
-      lines, content.contours, cell, project, LineKind::Contour, ContourColor, 0.55, LeastContour * layout.unit);
+    addPlainLine(lines, content.contours, cell, layout, project, LineKind::Contour, ContourColor, 0.55,
+      LeastContour * layout.unit, shortNumber(depth));
   }
   const std::vector<double> sorted(levels.begin(), levels.end());
   if (sorted.size() >= 3)
@@ -205,7 +215,7 @@ void addCrests(ChartLines& lines, const ChartContent& content, const ChartLayout
     const auto number = numbers ? static_cast<long long>(numbers->GetComponent(cell, 0)) : 0;
     if (number % lines.crestStride == 0)
     {
-      addPlainLine(lines, content.crests, cell, project, LineKind::Crest, CrestColor, 0.7);
+      addPlainLine(lines, content.crests, cell, layout, project, LineKind::Crest, CrestColor, 0.7);
     }
   }
 }

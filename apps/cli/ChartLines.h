@@ -30,6 +30,15 @@ struct PixelLine
   std::vector<unsigned char> colors; ///< red, green, blue, opacity each
 };
 
+/** The depth of a contour line, written along it. */
+struct ContourLabel
+{
+  double x = 0.0; ///< middle, pixels
+  double y = 0.0;
+  double angle = 0.0; ///< degrees anticlockwise from +x
+  std::string words;
+};
+
 /** Colours along the rays. */
 struct RayColors
 {
@@ -51,7 +60,8 @@ struct RayColors
 struct ChartLines
 {
   std::vector<PixelLine> lines; ///< in the order to draw
-  std::vector<float> breakers;  ///< x, y of the places where drawn rays begin to break
+  std::vector<ContourLabel> labels;
+  std::vector<float> breakers; ///< x, y of the places where drawn rays begin to break
   std::map<LineKind, int> counts;
   int rayStride = 1; ///< every how many rays one is drawn
   int crestStride = 1;

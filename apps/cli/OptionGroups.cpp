@@ -246,7 +246,9 @@ std::vector<OptionSpec> contourOptions(ContourRequest& contour)
     number("--interval", "M", "a line every so many metres of depth", "about ten lines", "Contours", contour.interval,
       PositiveMetres),
     number("--simplify", "M", "leave out points that matter less than this, m", "0", "Contours", contour.simplify,
-      NonNegativeMetres) };
+      NonNegativeMetres),
+    number("--relief", "M", "no lines around ground that departs less than this from their depth, m", "0.02",
+      "Contours", contour.relief, NonNegativeMetres) };
 }
 
 std::vector<OptionSpec> mapOptions(MapRequest& map)

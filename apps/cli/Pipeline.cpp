@@ -178,6 +178,7 @@ Pipeline::Pipeline(const Request& request, Console& console)
   }
   this->Contours->SetInterval(request.contour.interval.value_or(0.0));
   this->Contours->SetSimplify(request.contour.simplify);
+  this->Contours->SetRelief(request.contour.relief);
   this->Contours->SetInputConnection(this->Reader->GetOutputPort());
   this->Tracer->SetInputConnection(this->Reader->GetOutputPort());
   this->Heights->SetInputConnection(this->Tracer->GetOutputPort());

@@ -29,6 +29,7 @@ struct ContourRequest
   std::vector<double> levels;     ///< depths, m
   std::optional<double> interval; ///< m
   double simplify = 0.0;          ///< m
+  double relief = 0.02;           ///< m
 };
 
 /** Everything that rays depend on. */

@@ -190,6 +190,55 @@ TEST(Contours, leaveOutPointsOnDemand)
   EXPECT_EQ(contours->GetOutput()->GetNumberOfPoints(), 2);
 }
 
+TEST(Contours, runAlongTheEdgeOfAFlatOfJustThatLevel)
+{
+  // A beach to x = 100, a flat of elevation 0 with rings of millimetres to x = 200, land behind.
+  const auto bed = [](double x, double y)
+  {
+    const double ring = 0.004 * std::cos(0.7 * x) * std::cos(0.9 * y);
+    return x < 100.0 ? -0.02 * (100.0 - x) : x <= 200.0 ? ring : 0.05 * (x - 200.0);
+  };
+  const auto linesOf = [&](double relief)
+  {
+    vtkNew<vtkSwellContours> contours;
+    contours->SetInputData(elevationImage(31, 31, 10.0, bed));
+    contours->AddLevel(0.0);
+    contours->SetRelief(relief);
+    contours->Update();
+    return vtkSmartPointer<vtkPolyData>(contours->GetOutput());
+  };
+  EXPECT_GT(linesOf(0.0)->GetNumberOfCells(), 20) << "a line around every ring";
+  const vtkSmartPointer<vtkPolyData> lines = linesOf(0.02);
+  ASSERT_EQ(lines->GetNumberOfCells(), 1);
+  for (const glm::dvec2& p : lineOf(lines, 0))
+  {
+    // One cell around where the flat begins.
+    EXPECT_NEAR(p.x, 100.0, 10.0);
+  }
+}
+
+TEST(Contours, areTheSameWithAndWithoutReliefWhereNothingIsFlat)
+{
+  const auto linesOf = [](double relief)
+  {
+    vtkNew<vtkSwellContours> contours;
+    contours->SetInputData(
+      elevationImage(61, 61, 10.0, [](double x, double y) { return 4.0 * std::sin(0.011 * x) * std::cos(0.013 * y); }));
+    contours->AddLevel(1.0);
+    contours->SetRelief(relief);
+    contours->Update();
+    return vtkSmartPointer<vtkPolyData>(contours->GetOutput());
+  };
+  const vtkSmartPointer<vtkPolyData> plain = linesOf(0.0);
+  const vtkSmartPointer<vtkPolyData> smooth = linesOf(0.02);
+  ASSERT_GT(plain->GetNumberOfPoints(), 50);
+  ASSERT_EQ(plain->GetNumberOfPoints(), smooth->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < plain->GetNumberOfPoints(); ++i)
+  {
+    EXPECT_EQ(plain->GetPoint(i)[0], smooth->GetPoint(i)[0]);
+  }
+}
+
 TEST(Contours, sayWhatIsWrongOnce)
 {
   const auto errorOf = [](vtkImageData* image, const std::function<void(vtkSwellContours*)>& set)
@@ -209,6 +258,7 @@ TEST(Contours, sayWhatIsWrongOnce)
   const auto nothing = [](vtkSwellContours*) {};
   EXPECT_THAT(
     errorOf(beach(0.0), [](vtkSwellContours* c) { c->SetInterval(-1.0); }), testing::HasSubstr("Interval is -1"));
+  EXPECT_THAT(errorOf(beach(0.0), [](vtkSwellContours* c) { c->SetRelief(-1.0); }), testing::HasSubstr("Relief is -1"));
   EXPECT_THAT(
     errorOf(beach(0.0), [](vtkSwellContours* c) { c->SetInterval(1e-6); }), testing::HasSubstr("contour levels"));
   EXPECT_THAT(

@@ -4,8 +4,11 @@
 #include "vtkSwellCrests.h"
 #include "vtkSwellMap.h"
 #include "vtkSwellRayTracer.h"
+#include "vtkSwellSeafloorReader.h"
 #include "vtkSwellStations.h"
 #include "vtkSwellWaveHeight.h"
+
+#include "sim/Obstacles.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -17,7 +20,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -244,4 +250,66 @@ TEST_F(Basin, saysWhatIsWrongWithObstacles)
   this->Tracer->Update();
   ASSERT_EQ(listener->Errors.size(), 1u);
   EXPECT_THAT(listener->Errors[0], HasSubstr("the cap on reflections must be 0 or more, not -1"));
+}
+
+TEST(ObstacleSites, noRayPassesTheBreakwaterOfHilo)
+{
+  const char* set = std::getenv("SWELLRAY_DATA");
+  const std::filesystem::path sites = std::filesystem::path(set ? set : SWELLRAY_DATA_DEFAULT) / "sites";
+  const std::string seafloor = sites / "hilo_bay_hawaii/hilo_bay_1_3s_epsg4326.tif";
+  const std::string land = sites / "_shorelines/hilo_land_polygons.geojson";
+  if (!std::filesystem::exists(seafloor) || !std::filesystem::exists(land))
+  {
+    GTEST_SKIP() << "no " << seafloor << " or " << land;
+  }
+  vtkNew<vtkSwellSeafloorReader> reader;
+  reader->SetFileName(seafloor.c_str());
+  vtkNew<vtkSwellRayTracer> tracer;
+  tracer->SetInputConnection(reader->GetOutputPort());
+  tracer->SetPeriod(12.0);
+  tracer->SetDirectionFrom(20.0);
+  tracer->SetWaveHeight(2.0);
+  // At high water, so that the beach before the wall does not stop them all.
+  tracer->SetWaterLevel(3.0);
+  tracer->SetObstacles(land.c_str());
+  tracer->SetReflection(0.5);
+  tracer->Update();
+  vtkPolyData* rays = tracer->GetOutput();
+  vtkFieldData* fields = rays->GetFieldData();
+  vtkDataArray* points = fields->GetArray("ObstaclePoints");
+  vtkDataArray* offsets = fields->GetArray("ObstacleOffsets");
+  std::vector<swellray::Obstacle> obstacles(static_cast<std::size_t>(offsets->GetNumberOfTuples() - 1));
+  for (std::size_t i = 0; i < obstacles.size(); ++i)
+  {
+    obstacles[i].closed = true;
+    const auto end = static_cast<vtkIdType>(offsets->GetComponent(static_cast<vtkIdType>(i) + 1, 0));
+    for (auto p = static_cast<vtkIdType>(offsets->GetComponent(static_cast<vtkIdType>(i), 0)); p < end; ++p)
+    {
+      obstacles[i].points.emplace_back(points->GetComponent(p, 0), points->GetComponent(p, 1));
+    }
+  }
+  const swellray::Obstacles walls(obstacles);
+  vtkDataArray* reason = rays->GetCellData()->GetArray("EndReason");
+  vtkDataArray* state = rays->GetPointData()->GetArray("RayState");
+  int stopped = 0;
+  for (vtkIdType ray = 0; ray < rays->GetNumberOfCells(); ++ray)
+  {
+    stopped += reason->GetComponent(ray, 0) == 7.0 ? 1 : 0;
+    vtkIdType size = 0;
+    const vtkIdType* ids = nullptr;
+    rays->GetCellPoints(ray, size, ids);
+    for (vtkIdType i = 0; i + 1 < size; ++i)
+    {
+      double a[3];
+      double b[3];
+      rays->GetPoint(ids[i], a);
+      rays->GetPoint(ids[i + 1], b);
+      // The chords of a ray along the shore cut its corners.
+      if (state->GetComponent(ids[i + 1], 0) != 3.0)
+      {
+        ASSERT_FALSE(walls.crosses({ a[0], a[1] }, { b[0], b[1] })) << "ray " << ray << " at " << b[0] << " " << b[1];
+      }
+    }
+  }
+  EXPECT_GT(stopped, 100);
 }
