@@ -195,7 +195,7 @@ void ChartItem::paintMap(vtkContext2D* painter)
   {
     // A halo keeps the words apart from rays that cross them.
     vtkTextProperty* style = painter->GetTextProp();
-    const double size = 0.62 * u;
+    const double size = 0.7 * u;
     style->SetOpacity(0.5);
     style->SetColor(1.0, 1.0, 1.0);
     for (const auto& [x, y] : { std::pair{ 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } })

@@ -12,7 +12,7 @@ namespace
 {
 
 // Sizes in units of the type.
-constexpr double CharacterWidth = 0.42;
+constexpr double CharacterWidth = 0.47;
 constexpr double Margin = 0.5;        // between the words and the line on either side
 constexpr double LeastLength = 10.0;  // of a line that gets a label
 constexpr double LeastDistance = 9.0; // of two labels
