@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <stdexcept>
 
 namespace swellray
@@ -26,6 +28,50 @@ using Face = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Delaunay = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 using Triangulation = CGAL::Constrained_triangulation_plus_2<Delaunay>;
+
+// Share of the tolerance's square by which equal costs are told apart.
+constexpr double TieShare = 1e-9;
+
+// Between 0 and 1, scattered by the bits of a number (the finaliser of splitmix64, Steele, Lea and Flood 2014).
+double scatter(double x, double y)
+{
+  std::uint64_t bits[2];
+  std::memcpy(&bits[0], &x, sizeof x);
+  std::memcpy(&bits[1], &y, sizeof y);
+  std::uint64_t z = bits[0] ^ (bits[1] * 0x9e3779b97f4a7c15U);
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
+  z ^= z >> 31;
+  return static_cast<double>(z >> 11) / 9007199254740992.0;
+}
+
+/**
+ * Squared distance, a hair more by the place of the point: CGAL takes points of equal cost in the order of their
+ * addresses, which no two runs have alike.
+ */
+class DistinctCost
+{
+public:
+  explicit DistinctCost(double tolerance)
+    : Hair(TieShare * tolerance * tolerance)
+  {
+  }
+
+  template <typename Constraints, typename Place>
+  auto operator()(const Constraints& constraints, Place place) const
+  {
+    auto cost = this->Distance(constraints, place);
+    if (cost)
+    {
+      *cost += this->Hair * scatter((*place)->point().x(), (*place)->point().y());
+    }
+    return cost;
+  }
+
+private:
+  simplification::Squared_distance_cost Distance;
+  double Hair;
+};
 
 void check(const LineSet& lines, double tolerance)
 {
@@ -72,8 +118,8 @@ LineSet simplifyLines(const LineSet& lines, double tolerance)
       inserted[line] = true;
     }
   }
-  simplification::simplify(triangulation, simplification::Squared_distance_cost(),
-    simplification::Stop_above_cost_threshold(tolerance * tolerance));
+  simplification::simplify(
+    triangulation, DistinctCost(tolerance), simplification::Stop_above_cost_threshold(tolerance * tolerance));
 
   LineSet result;
   for (std::size_t line = 0; line < count; ++line)

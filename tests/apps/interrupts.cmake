@@ -9,6 +9,6 @@ foreach(signal INT TERM KILL)
   swellray_cli_test(${signal}_map 0 "^stopped [1-9]" "" "${interrupt} ${signal} m.nc $SWELLRAY trace $IN/beach.asc ${slow} --map m.nc --map-spacing 0.5")
   swellray_cli_test(${signal}_levels 0 "^stopped [1-9]" ""
     "${interrupt} ${signal} t.csv $SWELLRAY trace $IN/beach.asc ${slow} --stations $IN/no_heading.csv --table t.csv --water-levels $IN/moments.csv")
-  swellray_cli_test(${signal}_contour 0 "^stopped [1-9]" "" "${interrupt} ${signal} c.vtp $SWELLRAY contour shoal --interval 0.1 --simplify 1 -o c.vtp")
+  swellray_cli_test(${signal}_contour 0 "^stopped [1-9]" "" "${interrupt} ${signal} c.vtp $SWELLRAY contour shoal --interval 0.02 --simplify 1 -o c.vtp")
   swellray_cli_test(${signal}_render 0 "^stopped [1-9]" "" "${interrupt} ${signal} p.png $SWELLRAY render $IN/beach.asc -o p.png")
 endforeach()
