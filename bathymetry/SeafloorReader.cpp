@@ -192,16 +192,22 @@ Bathymetry readRaster(
   return result;
 }
 
+Bathymetry readGrid(
+  const std::string& path, ModelGrid&& grid, const SeafloorOptions& options, const Execution& execution)
+{
+  if (grid.places.empty())
+  {
+    return readRaster(path, *rasterOf(std::move(grid)), options, execution);
+  }
+  evenCells(grid, options.nodata);
+  return readScattered(path, soundingsOf(std::move(grid)), options, execution);
+}
+
 Bathymetry read(const std::string& path, const SeafloorOptions& options, const Execution& execution)
 {
   if (std::optional<ModelGrid> model = readModelGrid(path))
   {
-    if (model->places.empty())
-    {
-      return readRaster(path, *rasterOf(std::move(*model)), options, execution);
-    }
-    evenCells(*model, options.nodata);
-    return readScattered(path, soundingsOf(std::move(*model)), options, execution);
+    return readGrid(path, std::move(*model), options, execution);
   }
   if (const std::optional<Soundings> mesh = readUgridMesh(path, options.variable))
   {
@@ -214,19 +220,38 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
   return readRaster(path, *openRaster(path, options.variable), options, execution);
 }
 
-}
-
-Bathymetry readSeafloor(const std::string& path, const SeafloorOptions& options, const Execution& execution)
+// What `make` returns; its errors name the file.
+template <typename Make>
+Bathymetry named(const std::string& path, const SeafloorOptions& options, const Make& make)
 {
   options.validate();
   try
   {
-    return read(path, options, execution);
+    return make();
   }
   catch (const std::exception& error)
   {
     throw std::runtime_error("seafloor '" + path + "': " + error.what());
   }
+}
+
+}
+
+Bathymetry readSeafloor(const std::string& path, const SeafloorOptions& options, const Execution& execution)
+{
+  return named(path, options, [&] { return read(path, options, execution); });
+}
+
+Bathymetry readSeafloor(
+  const std::string& path, ModelGrid grid, const SeafloorOptions& options, const Execution& execution)
+{
+  return named(path, options, [&] { return readGrid(path, std::move(grid), options, execution); });
+}
+
+Bathymetry readSeafloor(
+  const std::string& path, const Soundings& soundings, const SeafloorOptions& options, const Execution& execution)
+{
+  return named(path, options, [&] { return readScattered(path, soundings, options, execution); });
 }
 
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "bathymetry/Georeference.h"
+#include "bathymetry/ModelGrid.h"
 #include "bathymetry/SeafloorOptions.h"
 #include "bathymetry/SeafloorReport.h"
 #include "sim/ElevationGrid.h"
@@ -43,5 +44,11 @@ struct Bathymetry
  *   the message names the file
  */
 Bathymetry readSeafloor(const std::string& path, const SeafloorOptions& options = {}, const Execution& execution = {});
+
+/** The same of a grid or of soundings that somebody else has read. @param path for the report and errors */
+Bathymetry readSeafloor(
+  const std::string& path, ModelGrid grid, const SeafloorOptions& options, const Execution& execution = {});
+Bathymetry readSeafloor(
+  const std::string& path, const Soundings& soundings, const SeafloorOptions& options, const Execution& execution = {});
 
 }

@@ -1,8 +1,8 @@
 #include "CurrentSource.h"
 
 #include "GeoreferenceField.h"
-#include "ImageFile.h"
 #include "SeafloorField.h"
+#include "XmlFile.h"
 #include "bathymetry/CurrentReader.h"
 #include "bathymetry/Text.h"
 #include "sim/BuiltinCurrent.h"
@@ -10,7 +10,9 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
 
 #include <cmath>
 #include <filesystem>
@@ -91,7 +93,9 @@ glm::dvec2 shiftOf(const Georeference& own, const Georeference& scene)
 
 std::shared_ptr<const Current> loadImage(const std::string& path, const Georeference& scene)
 {
-  const vtkSmartPointer<vtkImageData> image = readImageFile(path);
+  vtkNew<vtkXMLImageDataReader> reader;
+  readXmlFile(reader, path, "a VTK image (.vti)");
+  vtkImageData* image = reader->GetOutput();
   vtkPointData* data = image->GetPointData();
   vtkSmartPointer<vtkDataArray> u = data->GetArray("u");
   vtkSmartPointer<vtkDataArray> v = data->GetArray("v");

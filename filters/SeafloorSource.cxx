@@ -2,8 +2,9 @@
 
 #include "FieldData.h"
 #include "GeoreferenceField.h"
-#include "ImageFile.h"
+#include "MeshSource.h"
 #include "SeafloorField.h"
+#include "XmlFile.h"
 #include "bathymetry/FillGaps.h"
 #include "bathymetry/SmoothGrid.h"
 #include "bathymetry/Text.h"
@@ -11,7 +12,9 @@
 #include "sim/SplineSeafloor.h"
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
 
 #include <glm/common.hpp>
 
@@ -180,15 +183,16 @@ void cropGrid(Bathymetry& bathymetry, const std::array<double, 4>& crop, const s
 
 SeafloorScene loadImage(const std::string& path, const SeafloorOptions& options, const Execution& execution)
 {
-  vtkSmartPointer<vtkImageData> image;
+  vtkNew<vtkXMLImageDataReader> reader;
   try
   {
-    image = readImageFile(path);
+    readXmlFile(reader, path, "a VTK image (.vti)");
   }
   catch (const std::runtime_error& error)
   {
     throw std::runtime_error("cannot read '" + path + "': " + error.what());
   }
+  vtkImageData* image = reader->GetOutput();
 
   SeafloorScene scene;
   Bathymetry& bathymetry = scene.bathymetry;
@@ -276,6 +280,10 @@ SeafloorScene loadSeafloor(const std::string& name, const SeafloorOptions& optio
   if (endsWith(name, ".vti"))
   {
     return loadImage(name, options, execution);
+  }
+  if (endsWith(name, ".vts") || endsWith(name, ".vtu"))
+  {
+    return { loadMesh(name, options, execution), {} };
   }
   return { readSeafloor(name, options, execution), {} };
 }

@@ -16,8 +16,8 @@ struct SeafloorScene
 };
 
 /**
- * Seafloor of a built-in form (`NAME:key=value,...`), an image file (.vti, point array Elevation, m, positive up), or
- * any file that readSeafloor() reads.
+ * Seafloor of a built-in form (`NAME:key=value,...`), an image file (.vti, point array Elevation, m, positive up), a VTK
+ * grid or mesh (loadMesh()), or any file that readSeafloor() reads.
  *
  * A form is sampled at 500 nodes along its longer side, or at `resample`; crop is in its own coordinates. Options that
  * say how a file is to be understood (positive, crs, nodata, variable) are refused with a form.

@@ -17,8 +17,8 @@ struct SeafloorReport;
  *
  * Wraps swellray::readSeafloor and swellray::makeBuiltinSeafloor (what is read, how signs, units, places and gaps are
  * understood: there). FileName is any raster that GDAL reads, the grid of a wave model by the file that names the rest
- * of it, a UGRID mesh, soundings (text or NetCDF), an image file .vti with the point array Elevation, or a built-in form
- * `NAME:key=value,...`.
+ * of it, a UGRID mesh, soundings (text or NetCDF), an image file .vti with the point array Elevation, a VTK grid or mesh
+ * (.vts, .vtu), or a built-in form `NAME:key=value,...`.
  *
  * Output: vtkImageData, one layer, x east, y north, metres, with
  * - point scalars Elevation (double, m, positive up; NaN: a hole)
