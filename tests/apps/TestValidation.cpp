@@ -6,7 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <set>
 
@@ -83,6 +86,27 @@ TEST(Validation, NamesEveryCaseOnce)
          "c8_jet_4", "c8_collinear", "c8_eddy" })
   {
     EXPECT_EQ(names.count(stem), 1u) << stem;
+  }
+}
+
+TEST(Validation, HasACaseForEveryReferenceTable)
+{
+  const char* data = std::getenv("SWELLRAY_DATA");
+  const auto folder = std::filesystem::path(data ? data : SWELLRAY_DATA_DEFAULT).parent_path() / "reference";
+  if (!std::filesystem::is_directory(folder))
+  {
+    GTEST_SKIP() << "no reference tables in " << folder;
+  }
+  const std::vector<Case> cases = allCases();
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    if (entry.path().extension() == ".csv")
+    {
+      const std::string stem = entry.path().stem().string();
+      EXPECT_TRUE(std::any_of(
+        cases.begin(), cases.end(), [&stem](const Case& one) { return one.name.find(stem) != std::string::npos; }))
+        << stem;
+    }
   }
 }
 

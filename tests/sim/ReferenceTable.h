@@ -58,7 +58,6 @@ public:
   std::size_t size() const { return this->Rows.size(); }
   bool empty() const { return this->Rows.empty(); }
   double at(std::size_t row, const std::string& column) const { return this->Rows[row].at(this->Columns.at(column)); }
-  bool has(const std::string& column) const { return this->Columns.count(column) > 0; }
 
 private:
   bool Named = false;

@@ -1,4 +1,6 @@
 // Breaker lines of rays traced over plane beaches, against the root of the closed form of Snell and shoaling.
+#include "ReferenceTable.h"
+
 #include "sim/Angles.h"
 #include "sim/BreakerLine.h"
 #include "sim/Breaking.h"
@@ -12,11 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -292,42 +290,26 @@ TEST(BreakerLine, ofRandomWavesIsThatOfTheirSignificantHeight)
 
 TEST(BreakerLine, agreesWithTheTable)
 {
-  const char* data = std::getenv("SWELLRAY_DATA");
-  const std::filesystem::path file =
-    std::filesystem::path(data ? data : SWELLRAY_DATA_DEFAULT).parent_path() / "reference" / "c6_breaking.csv";
-  if (!std::filesystem::exists(file))
+  const swellray::testing::ReferenceTable table("c6_breaking");
+  if (table.empty())
   {
-    GTEST_SKIP() << "no table " << file;
+    GTEST_SKIP() << "no table in " << swellray::testing::referenceFolder();
   }
-  std::ifstream in(file);
-  int rows = 0;
-  for (std::string line; std::getline(in, line);)
+  EXPECT_GE(table.size(), 7u);
+  for (std::size_t row = 0; row < table.size(); ++row)
   {
-    if (line.empty() || line[0] == '#' || line[0] == 'T')
-    {
-      continue;
-    }
-    std::stringstream cells(line);
-    std::vector<double> row;
-    for (std::string cell; std::getline(cells, cell, ',');)
-    {
-      row.push_back(std::stod(cell));
-    }
-    ASSERT_GE(row.size(), 15u);
-    const Case c{ row[0], row[1], row[2], row[3] };
+    const Case c{ table.at(row, "T"), table.at(row, "H0"), table.at(row, "theta0_deg"), table.at(row, "slope") };
     const Breaker exact(c);
-    EXPECT_NEAR(exact.depth, row[5], 1e-9);
-    EXPECT_NEAR(exact.height, row[6], 1e-9);
+    EXPECT_NEAR(exact.depth, table.at(row, "hb"), 1e-9);
+    EXPECT_NEAR(exact.height, table.at(row, "Hb"), 1e-9);
     // Steep beaches are crossed in a fraction of a wavelength.
     const Surf surf = surfOf(c, c.slope > 0.1 ? 2000.0 : 128.0);
     ASSERT_FALSE(surf.Lines.places.empty());
-    EXPECT_LT(errorOf(surf, exact), FineTolerance) << line;
-    EXPECT_NEAR(surf.Lines.angle[0] * 180.0 / Pi, row[8], 0.01);
-    EXPECT_NEAR(surf.Lines.iribarrenOffshore[0], row[11], 1e-9);
-    EXPECT_NEAR(surf.Lines.iribarrenBreaking[0], row[12], FineTolerance * row[12]);
-    EXPECT_EQ(surf.Lines.type[0], static_cast<std::uint8_t>(row[13]) + 1);
-    EXPECT_EQ(surf.Lines.typeAtBreaking[0], static_cast<std::uint8_t>(row[14]) + 1);
-    ++rows;
+    EXPECT_LT(errorOf(surf, exact), FineTolerance) << row;
+    EXPECT_NEAR(surf.Lines.angle[0] * 180.0 / Pi, table.at(row, "theta_b_deg"), 0.01);
+    EXPECT_NEAR(surf.Lines.iribarrenOffshore[0], table.at(row, "xi0"), 1e-9);
+    EXPECT_NEAR(surf.Lines.iribarrenBreaking[0], table.at(row, "xib"), FineTolerance * table.at(row, "xib"));
+    EXPECT_EQ(surf.Lines.type[0], static_cast<std::uint8_t>(table.at(row, "type0")) + 1);
+    EXPECT_EQ(surf.Lines.typeAtBreaking[0], static_cast<std::uint8_t>(table.at(row, "typeb")) + 1);
   }
-  EXPECT_GE(rows, 7);
 }

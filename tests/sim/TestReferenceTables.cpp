@@ -1,95 +1,44 @@
 // Rays against tables of reference solutions, where these lie beside the data folder.
 #include "MapOfEarth.h"
 #include "RayComparison.h"
+#include "ReferenceTable.h"
 
 #include "sim/BuiltinSeafloor.h"
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <map>
 #include <memory>
-#include <sstream>
 #include <string>
 #include <vector>
 
 using namespace swellray;
 using namespace swellray::reference;
+using swellray::testing::referenceFolder;
+using swellray::testing::ReferenceTable;
 
 namespace
 {
 
 constexpr double Tolerance = 1e-12;
 
-/** A table: `#` lines, a row of names, numbers. */
-class Table
-{
-public:
-  explicit Table(const std::filesystem::path& file)
-  {
-    std::ifstream in(file);
-    std::string line;
-    while (std::getline(in, line))
-    {
-      if (line.empty() || line[0] == '#')
-      {
-        continue;
-      }
-      std::stringstream cells(line);
-      std::string cell;
-      std::vector<double> row;
-      while (std::getline(cells, cell, ','))
-      {
-        if (this->Rows.empty() && !this->Named)
-        {
-          this->Columns.emplace(cell, this->Columns.size());
-        }
-        else
-        {
-          row.push_back(std::strtod(cell.c_str(), nullptr));
-        }
-      }
-      if (this->Named)
-      {
-        this->Rows.push_back(row);
-      }
-      this->Named = true;
-    }
-  }
+using Table = ReferenceTable;
 
-  std::size_t size() const { return this->Rows.size(); }
-  double at(std::size_t row, const std::string& column) const { return this->Rows[row].at(this->Columns.at(column)); }
-  bool has(const std::string& column) const { return this->Columns.count(column) > 0; }
-
-private:
-  bool Named = false;
-  std::map<std::string, std::size_t> Columns;
-  std::vector<std::vector<double>> Rows;
-};
-
-std::filesystem::path folder()
-{
-  const char* data = std::getenv("SWELLRAY_DATA");
-  return std::filesystem::path(data ? data : SWELLRAY_DATA_DEFAULT).parent_path() / "reference";
-}
-
-class ReferenceTables : public testing::Test
+class ReferenceTables : public ::testing::Test
 {
 protected:
   void SetUp() override
   {
-    if (!std::filesystem::is_directory(folder()))
+    if (!std::filesystem::is_directory(referenceFolder()))
     {
-      GTEST_SKIP() << "no reference tables in " << folder();
+      GTEST_SKIP() << "no reference tables in " << referenceFolder();
     }
   }
 
   static Table load(const std::string& name)
   {
-    Table table(folder() / (name + ".csv"));
+    Table table(name);
     EXPECT_GT(table.size(), 0u) << name;
     return table;
   }
@@ -247,7 +196,7 @@ TEST_F(ReferenceTables, circularShoalsAndIslands)
       errors.add(point, place);
     }
     expectWithin(errors, c.allowed, c.name);
-    if (!std::filesystem::exists(folder() / (std::string(c.name) + "_caustic.csv")))
+    if (!std::filesystem::exists(referenceFolder() / (std::string(c.name) + "_caustic.csv")))
     {
       continue;
     }
