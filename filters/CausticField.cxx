@@ -20,7 +20,7 @@ namespace
 
 constexpr const char* ArrayName = "CausticPoints";
 
-constexpr std::array<const char*, 15> ComponentNames{ "RayId", "Number", "X", "Y", "RayDirectionX", "RayDirectionY",
+constexpr std::array<const char*, 16> ComponentNames{ "RayId", "Number", "X", "Y", "RayDirectionX", "RayDirectionY",
   "Phase", "TravelTime", "WavenumberX", "WavenumberY", "PhaseRate", "WidthRate", "FanWavenumber", "AlongRate",
   "AlongChange" };
 
@@ -46,7 +46,7 @@ void setCaustics(vtkPolyData* rays, const std::vector<RayCaustic>& caustics)
     for (const double value : { static_cast<double>(caustic.ray), static_cast<double>(caustic.number),
            caustic.position.x, caustic.position.y, caustic.rayDirection.x, caustic.rayDirection.y, caustic.phase,
            caustic.travelTime, caustic.wavenumber.x, caustic.wavenumber.y, caustic.phaseRate, caustic.widthRate,
-           caustic.fanWavenumber, caustic.alongRate, caustic.alongChange })
+           caustic.fanWavenumber, caustic.alongRate, caustic.alongChange, caustic.scale })
     {
       *values++ = value;
     }
@@ -66,7 +66,7 @@ RayCaustics causticsOf(vtkPolyData* rays)
   if (array->GetNumberOfComponents() != static_cast<int>(ComponentNames.size()))
   {
     throw std::invalid_argument(std::string("the field data array ") + ArrayName + " of the input has " +
-      std::to_string(array->GetNumberOfComponents()) + " components, not 15; give it the output of vtkSwellRayTracer");
+      std::to_string(array->GetNumberOfComponents()) + " components, not 16; give it the output of vtkSwellRayTracer");
   }
   const auto id = requireIntegers(rays->GetCellData(), "RayId", static_cast<vtkIdType>(count));
   std::unordered_map<int, std::int32_t> rayOf;
@@ -95,6 +95,7 @@ RayCaustics causticsOf(vtkPolyData* rays)
     caustic.fanWavenumber = value(12);
     caustic.alongRate = value(13);
     caustic.alongChange = value(14);
+    caustic.scale = value(15);
     result.caustics.push_back(caustic);
     ++result.offsets[static_cast<std::size_t>(caustic.ray) + 1];
   }

@@ -59,7 +59,7 @@ class SeafloorField;
  * Where rays touch caustics also CausticPoints, a tuple for each such place with the components RayId,
  * Number (of the caustics of that ray, from 1), X, Y (m), RayDirectionX, RayDirectionY (unit vector), Phase (rad),
  * TravelTime (s), WavenumberX, WavenumberY (rad/m), PhaseRate (along the ray, rad/m), WidthRate (of TubeWidth along the ray, 1/m), FanWavenumber
- * (rad/m), AlongRate and AlongChange (1/m; NaN without neighbours): swellray::RayCaustic.
+ * (rad/m), AlongRate, AlongChange (1/m; NaN without neighbours) and Scale (of the map of the Earth, 1 on a plane): swellray::RayCaustic.
  *
  * A cap that is reached, a grid too coarse for the wave, and gaps in a current are said by a warning. After an abort the output holds
  * the rays as far as they were traced, those cut short with EndReason 5.

@@ -76,7 +76,7 @@ double roundedCurvature(const RayCaustic& caustic)
 double foldPeak(const RayCaustic& caustic, double curvature)
 {
   const double scale = std::pow(0.5 * caustic.fanWavenumber * curvature * curvature, 1.0 / 6.0);
-  return 2.0 * std::sqrt(Pi) * AiryAtZero * scale / std::sqrt(std::abs(caustic.widthRate));
+  return 2.0 * std::sqrt(Pi) * AiryAtZero * scale / std::sqrt(std::abs(caustic.widthRate) / caustic.scale);
 }
 
 }

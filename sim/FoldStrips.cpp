@@ -120,7 +120,7 @@ FoldStrips::Node FoldStrips::nodeOf(const RayCaustic& caustic) const
   node.m1 = glm::dot(caustic.wavenumber, node.normal);
   const double tube = heightOfAUnitTube(this->Sheets.rays(), static_cast<std::size_t>(caustic.ray), caustic.phase);
   node.g0 = 2.0 * tube * std::pow(0.5 * caustic.fanWavenumber * curvature * curvature, 1.0 / 6.0) /
-    std::sqrt(std::abs(caustic.widthRate));
+    std::sqrt(std::abs(caustic.widthRate) / caustic.scale);
   return node;
 }
 

@@ -70,6 +70,7 @@ void HamiltonianRay::touchCaustic(double theta, int number, std::vector<RayCaust
   caustic.phaseRate = rate[Phase] / speed;
   caustic.widthRate = (along.x * fanRate[DY] - along.y * fanRate[DX]) / speed;
   caustic.fanWavenumber = (along.x * fan[DKy] - along.y * fan[DKx]) / caustic.widthRate;
+  caustic.scale = this->Medium.scale(caustic.position);
   touched.push_back(caustic);
 }
 

@@ -8,7 +8,10 @@
 namespace swellray
 {
 
-/** A place at which a ray touches a caustic: its tube has no width there. */
+/**
+ * A place at which a ray touches a caustic: its tube has no width there. Lengths, and what is a metre, are those on the map
+ * of the rays, whose scale is beside.
+ */
 struct RayCaustic
 {
   std::int32_t ray = 0;           ///< index of the ray
@@ -17,6 +20,7 @@ struct RayCaustic
   glm::dvec2 rayDirection{ 0.0 }; ///< unit vector along the ray, and along the caustic
   double phase = 0.0;             ///< S, rad
   double travelTime = 0.0;        ///< s since launch
+  double scale = 1.0;             ///< of the map: lengths on it over true ones
   glm::dvec2 wavenumber{ 0.0 };   ///< vector, rad/m
   double phaseRate = 0.0;         ///< dS/ds along the ray, rad/m; |k| without a current
   double widthRate = 0.0;         ///< d beta/ds along the ray, 1/m

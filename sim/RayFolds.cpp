@@ -44,25 +44,25 @@ RayFolds::RayFolds(
       continue;
     }
     fold.half.resize(points);
-    const double k = std::hypot(caustic->wavenumber.x, caustic->wavenumber.y);
+    const double trueK = caustic->scale * std::hypot(caustic->wavenumber.x, caustic->wavenumber.y);
     const double scale = caustic->fanWavenumber * square(curvature) / 3.0;
     const auto after = static_cast<std::size_t>(std::lower_bound(phase, phase + points, caustic->phase) - phase);
     const auto put = [&](std::size_t i, double sum)
     {
-      const double sigma = square(k) / caustic->phaseRate * std::abs(sum);
+      const double sigma = square(trueK) / caustic->phaseRate * std::abs(sum);
       fold.half[i] = scale * sigma * square(sigma);
     };
     double sum = 0.0;
     for (std::size_t i = after; i < points; ++i)
     {
-      sum += i == after ? stretch(caustic->phase, k, phase[i], wavenumber[i])
+      sum += i == after ? stretch(caustic->phase, trueK, phase[i], wavenumber[i])
                         : stretch(phase[i - 1], wavenumber[i - 1], phase[i], wavenumber[i]);
       put(i, sum);
     }
     sum = 0.0;
     for (std::size_t i = after; i-- > 0;)
     {
-      sum += i + 1 == after ? stretch(phase[i], wavenumber[i], caustic->phase, k)
+      sum += i + 1 == after ? stretch(phase[i], wavenumber[i], caustic->phase, trueK)
                             : stretch(phase[i], wavenumber[i], phase[i + 1], wavenumber[i + 1]);
       put(i, sum);
     }

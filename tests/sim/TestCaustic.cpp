@@ -129,4 +129,20 @@ TEST(Caustic, PeakOfACuspIsPearceysIntegral)
   }
 }
 
+TEST(Caustic, IsTheSameOnAnyMap)
+{
+  RayCaustic plane;
+  plane.fanWavenumber = 0.07;
+  plane.widthRate = -2e-3;
+  plane.alongRate = 0.4;
+  plane.alongChange = 0.01;
+  RayCaustic map = plane;
+  map.scale = 1.6;
+  map.fanWavenumber /= map.scale;
+  map.alongRate *= map.scale;
+  map.alongChange *= map.scale;
+  EXPECT_NEAR(roundedCurvature(map) * map.scale, roundedCurvature(plane), 1e-15);
+  EXPECT_NEAR(foldPeak(map, roundedCurvature(map)), foldPeak(plane, roundedCurvature(plane)), 1e-12);
+}
+
 }
