@@ -53,9 +53,9 @@ std::string describeSource(const std::string& name, const swellray::SeafloorOpti
   }
   words << '\n'
         << options.resample.value_or(0.0) << ' ' << options.smooth << ' ' << options.waterLevel << ' '
-        << static_cast<int>(options.positive) << ' ' << static_cast<int>(options.earth) << ' ' << options.nodata.has_value() << ' '
-        << options.nodata.value_or(0.0) << ' ' << options.maxGap.value_or(-1.0) << ' ' << options.dropOutliers << ' '
-        << options.crossValidate << '\n'
+        << static_cast<int>(options.positive) << ' ' << static_cast<int>(options.earth) << ' '
+        << options.nodata.has_value() << ' ' << options.nodata.value_or(0.0) << ' ' << options.maxGap.value_or(-1.0)
+        << ' ' << options.dropOutliers << ' ' << options.crossValidate << '\n'
         << options.crs << '\n'
         << options.variable;
   return words.str();

@@ -43,8 +43,8 @@ struct TraceOptions
   std::optional<double> shoreNormal;    ///< nautical degrees, seaward normal of the contours
   const Current* current = nullptr;     ///< must outlive the trace; none: still water
   const Obstacles* obstacles = nullptr; ///< must outlive the trace; none: nothing stands in the water
-  const MapScale* map = nullptr;        ///< of the Earth, whose metres those of the seafloor are (RayMedium); none: a plane
-  std::size_t maxReflections = 10;      ///< of one wave by obstacles
+  const MapScale* map = nullptr;   ///< of the Earth, whose metres those of the seafloor are (RayMedium); none: a plane
+  std::size_t maxReflections = 10; ///< of one wave by obstacles
   std::size_t maxRays = 200000;
   std::size_t maxFronts = 100000;
   std::size_t maxPoints = 40000000; ///< in all rays together: some gigabytes

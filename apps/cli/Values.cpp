@@ -2,7 +2,6 @@
 
 #include "Failure.h"
 
-
 #include <fmt/format.h>
 
 #include <algorithm>
