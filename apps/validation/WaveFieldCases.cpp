@@ -375,6 +375,7 @@ Outcome lensCase(const Setting& setting)
   const reference::FormulaSeafloor seafloor(
     formula, { { -2.0 * radius, -2.0 * radius }, { 2.0 * radius, 2.0 * radius } }, 0.1 * radius);
   scene.seafloor = &seafloor;
+  scene.behind = { -250.0, 0.0 };
   scene.shown = { 300.0, 750.0 };
   return roundCase(scene, setting);
 }
