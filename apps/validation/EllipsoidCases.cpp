@@ -1,5 +1,6 @@
 // Rays on the WGS 84 ellipsoid: geodesics over a deep sea, and a depth that varies with latitude only.
 #include "Families.h"
+#include "GridRun.h"
 #include "RayRun.h"
 
 #include "MapOfEarth.h"
@@ -7,12 +8,14 @@
 
 #include "bathymetry/Geodesics.h"
 #include "sim/Angles.h"
+#include "sim/GeographicSeafloor.h"
 
 #include <glm/geometric.hpp>
 
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <memory>
 
 namespace swellray::validation
 {
@@ -228,6 +231,7 @@ struct Zones
   double from; // latitude, degrees
   double to;
   std::vector<double> azimuths; // degrees
+  double coarse;                // spacing of the coarsest grid, degrees
 };
 
 struct ZonalErrors
@@ -240,10 +244,31 @@ struct ZonalErrors
   double invariant = 0.0; // relative
 };
 
-ZonalErrors zonalErrors(const Zones& zones, double azimuth, double tolerance, const Setting& setting,
-  Series* exactPath = nullptr, Series* path = nullptr, Table* numbers = nullptr)
+constexpr double ZonesLongitude = 170.0;
+
+/** The depth of zones at nodes so many degrees of latitude apart, 150 degrees of longitude to both sides of the start. */
+std::unique_ptr<GeographicSeafloor> griddedZones(const Zones& zones, const EllipsoidMercator& map, double spacing)
 {
-  const double longitude = 170.0;
+  constexpr double beyond = 15.0; // degrees, that no ray feels the rim
+  const double south = std::min(zones.from, zones.to) - beyond + 0.37 * spacing;
+  ElevationGrid grid;
+  grid.origin = { ZonesLongitude - 150.0, south };
+  grid.spacing = { 30.0, spacing };
+  grid.columns = 11;
+  grid.rows = static_cast<std::size_t>(std::ceil((std::abs(zones.to - zones.from) + 2.0 * beyond) / spacing)) + 1;
+  for (std::size_t row = 0; row < grid.rows; ++row)
+  {
+    const double depth = zones.h0 + zones.h1 * std::sin(zones.waves * radians(grid.node(0, row).y));
+    grid.elevation.insert(grid.elevation.end(), grid.columns, -depth);
+  }
+  return std::make_unique<GeographicSeafloor>(grid, std::make_shared<EllipsoidMercator>(map));
+}
+
+/** @param spacing of a grid that stands in place of the formula, degrees; 0: the formula itself */
+ZonalErrors zonalErrors(const Zones& zones, double azimuth, double tolerance, const Setting& setting,
+  double spacing = 0.0, Series* exactPath = nullptr, Series* path = nullptr, Table* numbers = nullptr)
+{
+  const double longitude = ZonesLongitude;
   const Sea sea(
     longitude, 10.0, zones.period,
     [&zones](double phi, double& h, double& h1, double& h2)
@@ -259,7 +284,17 @@ ZonalErrors zonalErrors(const Zones& zones, double azimuth, double tolerance, co
   const glm::dvec2 from = sea.Map.toMap({ longitude, zones.from });
   // A row along the parallel, a metre across the rays.
   const glm::dvec2 row(-sea.Map.scale(from) / std::cos(radians(azimuth)), 0.0);
-  HamiltonianRay ray(sea.Medium, reference::startAzimuth(sea.Medium, from, radians(azimuth), row), tolerance);
+  RayMedium medium = sea.Medium;
+  std::unique_ptr<GeographicSeafloor> grid;
+  std::unique_ptr<WrongSeafloor> computed;
+  if (spacing > 0.0)
+  {
+    grid = griddedZones(zones, sea.Map, spacing);
+    computed = std::make_unique<WrongSeafloor>(*grid, setting);
+    medium.seafloor = computed.get();
+    medium.map = &grid->map();
+  }
+  HamiltonianRay ray(medium, reference::startAzimuth(medium, from, radians(azimuth), row), tolerance);
   const reference::Ellipsoid earth;
   const auto invariant = [&](double k, double latitude, double at)
   { return k * static_cast<double>(earth.normalRadius(latitude)) * std::cos(latitude) * std::sin(at); };
@@ -311,7 +346,8 @@ Outcome runZones(const Zones& zones, const Setting& setting)
   double usual = 0.0;
   for (const double azimuth : zones.azimuths)
   {
-    const ZonalErrors now = zonalErrors(zones, azimuth, FineTolerance, setting, &exactPath, &path, &outcome.numbers);
+    const ZonalErrors now =
+      zonalErrors(zones, azimuth, FineTolerance, setting, 0.0, &exactPath, &path, &outcome.numbers);
     raise(fine.position, now.position);
     raise(fine.azimuth, now.azimuth);
     raise(fine.phase, now.phase);
@@ -351,6 +387,26 @@ Outcome runZones(const Zones& zones, const Setting& setting)
   std::snprintf(title, sizeof title, "error over tolerance: order %.2f", order);
   outcome.plots = { { "rays", "longitude (degrees)", "latitude (degrees)", { exactPath, path }, false, true },
     { title, "tolerance of a step", "position (m)", { fittedLine(dots, order), dots }, true, false } };
+  Plot plot{ "on grids in longitude and latitude", "spacing (degrees)", "largest error", {}, true, false };
+  Series onGrid{ "position (m)", Series::Look::Dots, {}, {} };
+  Series width{ "tube width (relative)", Series::Look::Dots, {}, {} };
+  for (const double share : { 1.0, 0.5, 0.25 })
+  {
+    const double spacing = share * zones.coarse;
+    ZonalErrors worst;
+    for (const double azimuth : zones.azimuths)
+    {
+      const ZonalErrors now = zonalErrors(zones, azimuth, FineTolerance, setting, spacing);
+      raise(worst.position, now.position);
+      raise(worst.width, now.width);
+    }
+    onGrid.add(spacing, worst.position);
+    width.add(spacing, worst.width);
+  }
+  const GridRates rates = gridRates(GridOrder::Straight);
+  addFittedOrder("order of position in the grid's spacing", onGrid, rates.path, rates.pathReason, plot, outcome);
+  addFittedOrder("order of tube width in the grid's spacing", width, rates.width, rates.widthReason, plot, outcome);
+  outcome.plots.push_back(plot);
   return outcome;
 }
 
@@ -362,8 +418,9 @@ std::vector<Case> ellipsoidCases()
     "T = 15 s over a sea of 100 km, six rays of 9,000 to 13,000 km. Karney's geodesics (2013, GeographicLib): places, "
     "azimuths, reduced length m12 (tube of a point source) and geodesic scale M12 (tube of parallel rays).",
     runGeodesics } };
-  for (const Zones& zones : { Zones{ "c9_zonal_depth", 4000.0, 1500.0, 3.0, 1200.0, -45.0, 10.0, { 20.0, 45.0, 60.0 } },
-         Zones{ "c9_zonal_depth_swell", 150.0, 60.0, 7.0, 18.0, 5.0, 55.0, { -10.0, 30.0 } } })
+  for (const Zones& zones :
+    { Zones{ "c9_zonal_depth", 4000.0, 1500.0, 3.0, 1200.0, -45.0, 10.0, { 20.0, 45.0, 60.0 }, 6.0 },
+      Zones{ "c9_zonal_depth_swell", 150.0, 60.0, 7.0, 18.0, 5.0, 55.0, { -10.0, 30.0 }, 2.0 } })
   {
     char formula[160];
     std::snprintf(formula, sizeof formula, "h = %g + %g sin(%g lat) m, T = %g s, from latitude %g. ", zones.h0,
