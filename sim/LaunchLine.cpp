@@ -3,6 +3,7 @@
 #include "sim/Angles.h"
 #include "sim/CurrentDispersion.h"
 #include "sim/Dispersion.h"
+#include "sim/GaussRule.h"
 
 #include <glm/geometric.hpp>
 
@@ -35,12 +36,6 @@ constexpr double ShortestPart = 1e-9;
 
 // A ray starts within its stretch by this share of it.
 constexpr double EndShare = 1e-12;
-
-// Gauss-Legendre nodes and weights on [-1, 1], 5 points (Abramowitz and Stegun 1964, table 25.4).
-constexpr std::array<double, 5> GaussNode{ -0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
-  0.9061798459386640 };
-constexpr std::array<double, 5> GaussWeight{ 0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
-  0.4786286704993665, 0.2369268850561891 };
 
 glm::dvec2 leftOf(const glm::dvec2& v)
 {
