@@ -1,8 +1,12 @@
 # The filters are one VTK module, so that VTK and ParaView can both build and wrap them.
+if(SWELLRAY_BUILD_PYTHON)
+  include(SwellrayPython)
+endif()
 find_package(VTK 9.1 CONFIG REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonTransforms FiltersCore FiltersGeneral
   FiltersModeling FiltersSources IOImage IOXML InteractionStyle RenderingAnnotation RenderingCore
-  RenderingFreeType RenderingOpenGL2)
+  RenderingFreeType RenderingOpenGL2
+  ${swellray_python_vtk})
 vtk_module_scan(
   MODULE_FILES "${CMAKE_CURRENT_SOURCE_DIR}/filters/vtk.module"
   PROVIDES_MODULES swellray_vtk_modules
@@ -17,3 +21,6 @@ vtk_module_build(
   LIBRARY_NAME_SUFFIX ""
   VERSION "${PROJECT_VERSION}"
   SOVERSION "${PROJECT_VERSION_MAJOR}")
+if(SWELLRAY_BUILD_PYTHON)
+  add_subdirectory(filters/python)
+endif()

@@ -30,6 +30,9 @@ vtkStandardNewMacro(vtkSwellBreakerLine);
 namespace
 {
 
+// A line aslant to the crests has its places further apart than the rays; beyond this it is another line.
+constexpr double GapOverMaxSpacing = 4.0;
+
 void addDoubles(vtkPointData* data, const char* name, const std::vector<double>& values, double factor = 1.0)
 {
   double* array = swellray::addArray<vtkDoubleArray>(data, name, static_cast<vtkIdType>(values.size()));
@@ -91,6 +94,8 @@ int vtkSwellBreakerLine::RequestData(
     {
       throw std::invalid_argument("MaxGap is " + std::to_string(this->MaxGap) + "; it must be 0 (no limit) or more");
     }
+    const double maxGap =
+      this->MaxGapOfRays ? GapOverMaxSpacing * swellray::fieldValue(input, "MaxSpacing").value_or(0.0) : this->MaxGap;
     swellray::BreakerSea sea;
     sea.wave = swellray::tracedWave(input);
     sea.random = swellray::fieldString(input, "BreakingRule").value_or("") ==
@@ -133,7 +138,7 @@ int vtkSwellBreakerLine::RequestData(
     rays.height = height->GetPointer(0);
     rays.breakingDistance = distance->GetPointer(0);
     rays.breaking = breaking->GetPointer(0);
-    const swellray::BreakerLines lines = swellray::extractBreakerLines(rays, *seafloor, sea, this->MaxGap);
+    const swellray::BreakerLines lines = swellray::extractBreakerLines(rays, *seafloor, sea, maxGap);
 
     vtkNew<vtkPoints> linePoints;
     linePoints->SetDataTypeToDouble();
@@ -163,4 +168,5 @@ void vtkSwellBreakerLine::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaxGap: " << this->MaxGap << "\n";
+  os << indent << "MaxGapOfRays: " << (this->MaxGapOfRays ? "on" : "off") << "\n";
 }

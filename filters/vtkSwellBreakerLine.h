@@ -54,6 +54,13 @@ public:
   vtkGetMacro(MaxGap, double);
   ///@}
 
+  ///@{
+  /** Four times the distance at which rays were inserted (field data MaxSpacing; without it no limit) in place of MaxGap; default off. */
+  vtkSetMacro(MaxGapOfRays, vtkTypeBool);
+  vtkGetMacro(MaxGapOfRays, vtkTypeBool);
+  vtkBooleanMacro(MaxGapOfRays, vtkTypeBool);
+  ///@}
+
 protected:
   vtkSwellBreakerLine();
   ~vtkSwellBreakerLine() override;
@@ -62,6 +69,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double MaxGap = 0.0;
+  vtkTypeBool MaxGapOfRays = 0;
 
 private:
   vtkSwellBreakerLine(const vtkSwellBreakerLine&) = delete;

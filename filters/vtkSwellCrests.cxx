@@ -27,6 +27,9 @@ vtkStandardNewMacro(vtkSwellCrests);
 namespace
 {
 
+// Rays that have drifted this far apart, in a shadow or where none is inserted, tell nothing of what is between.
+constexpr double GapOverMaxSpacing = 2.0;
+
 using swellray::RayPlace;
 
 bool isOneOf(const char* name, std::initializer_list<const char*> names)
@@ -140,6 +143,8 @@ int vtkSwellCrests::RequestData(vtkInformation*, vtkInformationVector** inputVec
     {
       throw std::invalid_argument("MaxGap is " + std::to_string(this->MaxGap) + "; it must be 0 (no limit) or more");
     }
+    const double maxGap =
+      this->MaxGapOfRays ? GapOverMaxSpacing * swellray::fieldValue(input, "MaxSpacing").value_or(0.0) : this->MaxGap;
     const std::vector<std::int64_t> offsets = swellray::rayOffsets(input);
     const auto rays = static_cast<vtkIdType>(offsets.size() - 1);
     const vtkIdType points = input->GetNumberOfPoints();
@@ -165,7 +170,7 @@ int vtkSwellCrests::RequestData(vtkInformation*, vtkInformationVector** inputVec
     lines.launchSegment = segment->GetPointer(0);
     const std::shared_ptr<const swellray::Obstacles> obstacles = swellray::obstaclesOf(input);
     const swellray::CrestLines crests =
-      swellray::extractCrests(lines, this->MaxGap, everyCrest(this->Every, input), obstacles.get());
+      swellray::extractCrests(lines, maxGap, everyCrest(this->Every, input), obstacles.get());
     this->UpdateProgress(0.5);
 
     vtkNew<vtkPoints> crestPoints;
@@ -208,5 +213,6 @@ void vtkSwellCrests::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MaxGap: " << this->MaxGap << "\n";
+  os << indent << "MaxGapOfRays: " << (this->MaxGapOfRays ? "on" : "off") << "\n";
   os << indent << "Every: " << this->Every << "\n";
 }

@@ -35,6 +35,13 @@ public:
   ///@}
 
   ///@{
+  /** Twice the distance at which rays were inserted (field data MaxSpacing; without it no limit) in place of MaxGap; default off. */
+  vtkSetMacro(MaxGapOfRays, vtkTypeBool);
+  vtkGetMacro(MaxGapOfRays, vtkTypeBool);
+  vtkBooleanMacro(MaxGapOfRays, vtkTypeBool);
+  ///@}
+
+  ///@{
   /**
    * Only crests whose number is a multiple of this; >= 0, default 0: every crest, or, where the rays were traced with
    * fewer than one front a wavelength (field data StepsPerWave), the crests that lie on fronts.
@@ -50,6 +57,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double MaxGap = 0.0;
+  vtkTypeBool MaxGapOfRays = 0;
   int Every = 0;
 
 private:

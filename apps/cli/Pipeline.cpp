@@ -246,11 +246,9 @@ vtkPolyData* Pipeline::makeCrests(vtkPolyData* rays)
   else
   {
     this->Crests->SetInputConnection(this->Heights->GetOutputPort());
-    rays = this->computeHeights();
+    this->computeHeights();
   }
-  // Rays that have drifted this far apart, in a shadow or where none is inserted, tell nothing of what is between.
-  constexpr double GapOverMaxSpacing = 2.0;
-  this->Crests->SetMaxGap(GapOverMaxSpacing * fieldNumber(rays, "MaxSpacing").value_or(0.0));
+  this->Crests->MaxGapOfRaysOn();
   runFilter(this->Crests, "crests", this->Screen);
   return this->Crests->GetOutput();
 }
@@ -259,10 +257,7 @@ vtkPolyData* Pipeline::makeBreakerLines()
 {
   this->Breakers->SetInputConnection(this->Heights->GetOutputPort());
   this->Breakers->SetSeafloorConnection(this->Reader->GetOutputPort());
-  // A line aslant to the crests has its places further apart than the rays; beyond this it is another line.
-  constexpr double GapOverMaxSpacing = 4.0;
-  const double maxSpacing = fieldNumber(this->computeHeights(), "MaxSpacing").value_or(0.0);
-  this->Breakers->SetMaxGap(GapOverMaxSpacing * maxSpacing);
+  this->Breakers->MaxGapOfRaysOn();
   runFilter(this->Breakers, "breakers", this->Screen);
   return this->Breakers->GetOutput();
 }

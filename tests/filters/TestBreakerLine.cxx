@@ -100,6 +100,9 @@ TEST(BreakerLine, endsAtGaps)
   scene.Lines->SetMaxGap(10.0);
   scene.Lines->Update();
   EXPECT_EQ(scene.Lines->GetOutput()->GetNumberOfPoints(), 0);
+  scene.Lines->MaxGapOfRaysOn();
+  scene.Lines->Update();
+  EXPECT_GT(scene.Lines->GetOutput()->GetNumberOfPoints(), 0);
 }
 
 TEST(BreakerLine, saysWhatIsWrongOnce)

@@ -180,6 +180,25 @@ TEST(Crests, breakAtWideGaps)
   EXPECT_EQ(crests->GetOutput()->GetNumberOfLines(), 0);
 }
 
+TEST(Crests, breakAtTwiceTheDistanceAtWhichRaysWereInserted)
+{
+  const auto linesOf = [](double maxSpacing)
+  {
+    const vtkSmartPointer<vtkPolyData> rays = twoRays();
+    vtkNew<vtkDoubleArray> field;
+    field->SetName("MaxSpacing");
+    field->InsertNextValue(maxSpacing);
+    rays->GetFieldData()->AddArray(field);
+    vtkNew<vtkSwellCrests> crests;
+    crests->SetInputData(rays);
+    crests->MaxGapOfRaysOn();
+    crests->Update();
+    return crests->GetOutput()->GetNumberOfLines();
+  };
+  EXPECT_EQ(linesOf(0.51), 2); // the rays are 1 m apart
+  EXPECT_EQ(linesOf(0.49), 0);
+}
+
 TEST(Crests, ofRaysReadBackFromAFileAreTheSame)
 {
   Scene scene;

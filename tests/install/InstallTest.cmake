@@ -34,3 +34,7 @@ if(FILTERS)
   build_and_run(filters_installed "${SCRATCH}/prefix" ON)
   run("${SCRATCH}/prefix/bin/swellray" --version)
 endif()
+if(PYTHON)
+  run("${CMAKE_COMMAND}" -E env "PYTHONPATH=${SCRATCH}/prefix/${PYTHON_DIR}"
+    "${PYTHON}" -B "${CMAKE_CURRENT_LIST_DIR}/use_python.py" "${SCRATCH}/prefix")
+endif()
