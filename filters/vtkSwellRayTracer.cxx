@@ -8,7 +8,9 @@
 #include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
+#include "bathymetry/GeodesicSource.h"
 #include "sim/EllipsoidMercator.h"
+#include "sim/PointSource.h"
 #include "sim/RayQuantities.h"
 #include "sim/WaveTracer.h"
 
@@ -129,7 +131,11 @@ void setFields(
   vtkPolyData* output, const swellray::RayField& field, const swellray::IncidentWave& wave, double waterLevel)
 {
   swellray::setFieldValue(output, "Period", wave.period);
-  swellray::setFieldValue(output, "DirectionFrom", wave.directionFrom);
+  swellray::setFieldValue(output, "DirectionFrom", field.directionFrom);
+  if (field.sourceDistance)
+  {
+    swellray::setFieldValue(output, "SourceDistance", *field.sourceDistance);
+  }
   swellray::setFieldValue(output, "WaveHeight", wave.height);
   swellray::setFieldValue(output, "OffshoreDepth", wave.offshoreDepth);
   swellray::setFieldValue(output, "Gravity", wave.gravity);
@@ -171,6 +177,24 @@ int vtkSwellRayTracer::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
   return 1;
+}
+
+std::unique_ptr<const swellray::WaveSource> vtkSwellRayTracer::makeSource(const swellray::Georeference& scene) const
+{
+  const glm::dvec2 position(this->SourcePosition[0], this->SourcePosition[1]);
+  switch (this->Source)
+  {
+  case STORM:
+    return std::make_unique<swellray::GeodesicSource>(position, scene);
+  case POINT:
+    if (scene.kind() == swellray::GeoreferenceKind::Geographic)
+    {
+      throw std::invalid_argument("waves from a point need a plane: over longitudes and latitudes take a storm");
+    }
+    return std::make_unique<swellray::PointSource>(scene.fromFile(position));
+  default:
+    return nullptr;
+  }
 }
 
 int vtkSwellRayTracer::RequestData(
@@ -239,6 +263,8 @@ int vtkSwellRayTracer::RequestData(
     swellray::dropGeographicGrid(output);
     const swellray::Georeference place = swellray::georeferenceOf(input);
     options.map = place.mercator().get();
+    const std::unique_ptr<const swellray::WaveSource> source = this->makeSource(place);
+    options.source = source.get();
     options.validate();
     const swellray::RayField field =
       swellray::traceWaves(*seafloor, wave, options, swellray::makeExecution(this, 0.0, TracingShare));
@@ -298,6 +324,9 @@ void vtkSwellRayTracer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Period: " << this->Period << "\n";
   os << indent << "DirectionFrom: " << this->DirectionFrom << "\n";
+  const char* sources[] = { "plane wave", "storm", "point" };
+  os << indent << "Source: " << sources[this->Source] << "\n";
+  os << indent << "SourcePosition: " << this->SourcePosition[0] << ", " << this->SourcePosition[1] << "\n";
   os << indent << "WaveHeight: " << this->WaveHeight << "\n";
   os << indent << "OffshoreDepth: " << this->OffshoreDepth << "\n";
   os << indent << "Gravity: " << this->Gravity << "\n";

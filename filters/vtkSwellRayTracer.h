@@ -10,8 +10,10 @@
 namespace swellray
 {
 class CurrentField;
+class Georeference;
 class ObstacleField;
 class SeafloorField;
+class WaveSource;
 }
 
 /**
@@ -50,7 +52,8 @@ class SeafloorField;
  * With obstacles also Reflections (int: by obstacles, so far) and ReflectionCoefficient (double: product of theirs). A
  * reflected ray is a cell of its own; its ParentRay is the one that the wall stopped.
  *
- * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, incident),
+ * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees; from a source where the wave first meets the scene),
+ * SourceDistance (m, from the source to there), WaveHeight (m, incident),
  * OffshoreDepth (m, infinite: deep), Gravity (m/s2), WaterLevel (m), LaunchSpacing, MaxSpacing, LaunchWidth (m: as
  * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest
  * | |k|/k(h) - 1 | on a ray, with a current | (sigma + k.U)/omega - 1 |) and
@@ -84,6 +87,13 @@ public:
     INSERT_INTERPOLATE = 2
   };
 
+  enum Sources
+  {
+    PLANE_WAVE = 0,
+    STORM = 1,
+    POINT = 2
+  };
+
   enum EdgeRules
   {
     EDGE_CONTOURS = 0,
@@ -101,6 +111,25 @@ public:
   /** Direction the wave comes from offshore, nautical degrees; -360 to 360, default 270. */
   vtkSetMacro(DirectionFrom, double);
   vtkGetMacro(DirectionFrom, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the wave comes from: from DirectionFrom, a plane wave (default); from a storm far away, along the geodesics of the Earth
+   * (swellray::GeodesicSource); or from a point of the plane, with circular crests. Height and crest are then those
+   * where the wave first meets the scene.
+   */
+  vtkSetClampMacro(Source, int, PLANE_WAVE, POINT);
+  vtkGetMacro(Source, int);
+  void SetSourceToPlaneWave() { this->SetSource(PLANE_WAVE); }
+  void SetSourceToStorm() { this->SetSource(STORM); }
+  void SetSourceToPoint() { this->SetSource(POINT); }
+  ///@}
+
+  ///@{
+  /** Of a storm longitude and latitude, degrees; of a point x and y in the coordinates of the seafloor's file; default 0, 0. */
+  vtkSetVector2Macro(SourcePosition, double);
+  vtkGetVector2Macro(SourcePosition, double);
   ///@}
 
   ///@{
@@ -287,6 +316,8 @@ protected:
 
   double Period = 10.0;
   double DirectionFrom = 270.0;
+  int Source = PLANE_WAVE;
+  double SourcePosition[2] = { 0.0, 0.0 };
   double WaveHeight = 1.0;
   double OffshoreDepth = std::numeric_limits<double>::infinity();
   double Gravity = 9.81;
@@ -315,6 +346,8 @@ protected:
 private:
   vtkSwellRayTracer(const vtkSwellRayTracer&) = delete;
   void operator=(const vtkSwellRayTracer&) = delete;
+
+  std::unique_ptr<const swellray::WaveSource> makeSource(const swellray::Georeference& scene) const;
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
   std::unique_ptr<swellray::CurrentField> Water;

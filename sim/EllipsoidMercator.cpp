@@ -58,6 +58,7 @@ double tangentOf(double psi, double e, double e2)
 EllipsoidMercator::EllipsoidMercator(double semiMajor, double flattening, double longitude, double standardLatitude)
   : Longitude(radians(longitude))
   , SemiMajor(semiMajor)
+  , Flattening(flattening)
   , Standard(standardLatitude)
 {
   const bool ellipsoid = semiMajor > 0.0 && std::isfinite(semiMajor) && flattening >= 0.0 && flattening < 1.0;

@@ -55,6 +55,10 @@ public:
   /** The parallel on which the scale is 1, degrees. */
   double standardLatitude() const { return this->Standard; }
 
+  /** Of the ellipsoid: a, m, and f. */
+  double semiMajor() const { return this->SemiMajor; }
+  double flattening() const { return this->Flattening; }
+
   /** Longitude a metre of x, rad/m; the same everywhere. */
   double longitudeRate() const { return 1.0 / this->Radius; }
 
@@ -64,6 +68,7 @@ private:
   double Share;     // c
   double Radius;    // c a
   double SemiMajor;
+  double Flattening;
   double Standard; // degrees
 };
 

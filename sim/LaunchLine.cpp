@@ -34,12 +34,33 @@ constexpr double MostParts = 16000.0;
 constexpr double LargestChange = 1.1;
 constexpr double ShortestPart = 1e-9;
 
+// And the least cosine between its directions: those to a near source change within a part.
+constexpr double LeastCosine = 0.98;
+
+// Width of a source's tube over the way from it below which its rays are about to meet again: on the Earth beyond 18,000 km.
+constexpr double NarrowTube = 0.1;
+
 // A ray starts within its stretch by this share of it.
 constexpr double EndShare = 1e-12;
 
 glm::dvec2 leftOf(const glm::dvec2& v)
 {
   return { -v.y, v.x };
+}
+
+void requireSource(const SourceSample& sample)
+{
+  if (!(sample.distance > 0.0))
+  {
+    throw std::invalid_argument(
+      "the point that the waves come from lies on the edge of the scene: it must lie outside");
+  }
+  if (!(sample.width > NarrowTube * sample.distance))
+  {
+    throw std::invalid_argument(
+      "the point that the waves come from lies nearly opposite the scene, where they meet again: it "
+      "must be less than 18,000 km away");
+  }
 }
 
 }
@@ -56,35 +77,42 @@ std::optional<glm::dvec2> contourNormal(const Seafloor& seafloor, double waterLe
   return plane.valid && slope >= SmallestSlope ? std::optional<glm::dvec2>(plane.slope / slope) : std::nullopt;
 }
 
-LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
-  EdgeRule rule, std::optional<double> shoreNormal, const Current* current, const Obstacles* obstacles,
-  const MapScale* map)
+LaunchLine::LaunchLine(
+  const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground, const LaunchOptions& options)
   : Floor(&seafloor)
-  , Flow(current)
-  , Walls(obstacles)
-  , Map(map)
+  , Options(options)
   , WaterLevel(waterLevel)
   , Wave(wave)
   , Aground(aground)
-  , Rule(rule)
+  , DirectionFrom(wave.directionFrom)
 {
   wave.validate();
   if (!(aground > 0.0))
   {
     throw std::invalid_argument("aground depth must be above 0 m");
   }
-  if (rule == EdgeRule::Contours)
+  if (options.rule == EdgeRule::Contours)
   {
-    this->ContourNormal = swellray::contourNormal(seafloor, waterLevel, shoreNormal);
+    this->ContourNormal = swellray::contourNormal(seafloor, waterLevel, options.shoreNormal);
   }
 
   const std::vector<glm::dvec2> corners = seafloor.outline();
   // Begin at the corner that the wave leaves the scene by, so that the edges it comes in by follow each other.
-  const glm::dvec2 t0 = wave.direction();
+  const auto way = [&](const glm::dvec2& corner)
+  {
+    if (!options.source)
+    {
+      return glm::dot(corner, wave.direction());
+    }
+    SourceSample sample;
+    options.source->evaluate(corner, sample);
+    requireSource(sample);
+    return sample.distance;
+  };
   std::size_t first = 0;
   for (std::size_t i = 1; i < corners.size(); ++i)
   {
-    if (glm::dot(corners[i] - corners[first], t0) > 0.0)
+    if (way(corners[i]) > way(corners[first]))
     {
       first = i;
     }
@@ -112,24 +140,55 @@ LaunchLine::LaunchLine(const Seafloor& seafloor, double waterLevel, const Incide
     this->walk(side, static_cast<int>(this->Sides.size()) - 1, open, segment);
   }
 
-  double earliest = 0.0;
-  bool any = false;
-  for (const Stretch& stretch : this->Stretches)
-  {
-    if (stretch.width > 0.0)
-    {
-      const double least = std::min(stretch.phase, stretch.phase + stretch.rise);
-      earliest = any ? std::min(earliest, least) : least;
-      any = true;
-    }
-  }
-  for (Stretch& stretch : this->Stretches)
-  {
-    stretch.phase -= earliest;
-  }
   this->Stretches.erase(
     std::remove_if(this->Stretches.begin(), this->Stretches.end(), [](const Stretch& s) { return !(s.width > 0.0); }),
     this->Stretches.end());
+  this->findReference();
+}
+
+void LaunchLine::findReference()
+{
+  const auto ends = [](const Stretch& stretch) { return std::min(stretch.phase, stretch.phase + stretch.rise); };
+  const auto earliest = std::min_element(this->Stretches.begin(), this->Stretches.end(),
+    [&](const Stretch& a, const Stretch& b) { return ends(a) < ends(b); });
+  if (earliest == this->Stretches.end())
+  {
+    return;
+  }
+  const double first = ends(*earliest);
+  if (this->Options.source)
+  {
+    const Side& side = this->Sides[earliest->side];
+    const glm::dvec2 place = side.corner + (earliest->rise < 0.0 ? earliest->to : earliest->from) * side.along;
+    SourceSample sample;
+    this->Options.source->evaluate(place, sample);
+    this->ReferenceWidth = sample.width;
+    this->SourceDistance = sample.distance;
+    this->DirectionFrom = nauticalFromVector({ std::cos(sample.heading), std::sin(sample.heading) });
+    this->Length *= sample.width;
+  }
+  for (Stretch& stretch : this->Stretches)
+  {
+    stretch.phase -= first;
+    stretch.lambda *= this->ReferenceWidth;
+    stretch.width *= this->ReferenceWidth;
+  }
+}
+
+LaunchLine::Offshore LaunchLine::offshoreAt(const Side& side, double l) const
+{
+  Offshore wave;
+  if (!this->Options.source)
+  {
+    wave.direction = this->Wave.direction();
+    return wave;
+  }
+  SourceSample sample;
+  this->Options.source->evaluate(side.corner + l * side.along, sample);
+  wave.direction = { std::cos(sample.heading), std::sin(sample.heading) };
+  wave.turn = glm::dot(sample.turn, side.along);
+  wave.spread = sample.width / this->ReferenceWidth;
+  return wave;
 }
 
 std::optional<double> LaunchLine::solveAlong(
@@ -137,7 +196,7 @@ std::optional<double> LaunchLine::solveAlong(
 {
   const double omega = this->Wave.angularFrequency();
   const double gravity = this->Wave.gravity;
-  if (this->Flow)
+  if (this->Options.current)
   {
     return solveOnCurrent(omega, depth, gravity, along, across, velocity);
   }
@@ -151,25 +210,27 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   const glm::dvec2 p = side.corner + l * side.along;
   const BedSample bed = this->Floor->bed(p);
   const double trueDepth = this->WaterLevel - bed.elevation;
-  const bool water = trueDepth >= this->Aground && !this->Floor->isHole(p) && !(this->Walls && this->Walls->inside(p));
+  const bool water = trueDepth >= this->Aground && !this->Floor->isHole(p) &&
+    !(this->Options.obstacles && this->Options.obstacles->inside(p));
   const double depth = std::max(trueDepth, this->Aground);
   CurrentSample current;
-  if (this->Flow)
+  if (this->Options.current)
   {
-    this->Flow->evaluate(p, current);
+    this->Options.current->evaluate(p, current);
   }
 
   // Along this unit vector the wavenumber follows from the dispersion relation; across it, it is kept.
-  const glm::dvec2 t0 = this->Wave.direction();
+  const Offshore offshore = this->offshoreAt(side, l);
+  const glm::dvec2& t0 = offshore.direction;
   glm::dvec2 along = t0;
   double across = 0.0;
   EdgeWave wave;
   const std::optional<glm::dvec2> normal =
-    this->Rule == EdgeRule::Edge ? std::optional<glm::dvec2>(side.inward) : this->ContourNormal;
+    this->Options.rule == EdgeRule::Edge ? std::optional<glm::dvec2>(side.inward) : this->ContourNormal;
   if (normal)
   {
     const double cosine = glm::dot(t0, *normal);
-    if (std::abs(cosine) < Grazing || (this->Rule == EdgeRule::Edge && cosine < 0.0))
+    if (std::abs(cosine) < Grazing || (this->Options.rule == EdgeRule::Edge && cosine < 0.0))
     {
       return wave;
     }
@@ -195,16 +256,18 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   }
   if (water)
   {
-    // d(sigma + k.U)/dl = 0
+    // d(sigma + k.U)/dl = 0, and of the component across what the wave offshore turns.
     const glm::dvec2 slope = side.along.x * current.dx + side.along.y * current.dy;
     const double change = glm::dot(wave.wavenumber, slope) - f.h * glm::dot(bed.gradient, side.along);
-    wave.dWavenumber = -change / forward * along;
+    const double turn = (normal ? this->Wave.wavenumber() * glm::dot(t0, along) : k) * offshore.turn;
+    const glm::dvec2 left = leftOf(along);
+    wave.dWavenumber = -(change + glm::dot(ray, left) * turn) / forward * along + turn * left;
   }
   const double inward = glm::dot(ray, side.inward) / speed;
   const double crestRatio = normal ? glm::dot(t0, along) * speed / forward : 1.0;
   wave.enters = water && inward > Grazing;
-  wave.density = wave.enters ? inward * crestRatio : 0.0;
-  if (this->Map)
+  wave.density = wave.enters ? inward * crestRatio / offshore.spread : 0.0;
+  if (this->Options.map)
   {
     this->bringToMap(side, l, wave);
   }
@@ -214,7 +277,7 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
 void LaunchLine::bringToMap(const Side& side, double l, EdgeWave& wave) const
 {
   ScaleSample m;
-  this->Map->evaluate(side.corner + l * side.along, m);
+  this->Options.map->evaluate(side.corner + l * side.along, m);
   wave.wavenumber /= m.scale;
   wave.dWavenumber = wave.dWavenumber / m.scale - glm::dot(m.gradient, side.along) / m.scale * wave.wavenumber;
   wave.density /= m.scale;
@@ -232,6 +295,8 @@ glm::dvec2 LaunchLine::integrate(const Side& side, double from, double to) const
   glm::dvec2 sum(0.0);
   double least = std::numeric_limits<double>::infinity();
   double most = 0.0;
+  bool turned = false;
+  glm::dvec2 before(0.0);
   for (std::size_t i = 0; i < GaussNode.size(); ++i)
   {
     const EdgeWave wave = this->edgeWave(side, middle + half * GaussNode[i]);
@@ -239,9 +304,11 @@ glm::dvec2 LaunchLine::integrate(const Side& side, double from, double to) const
     const double k = glm::length(wave.wavenumber);
     least = std::min(least, k);
     most = std::max(most, k);
+    turned = turned || (i > 0 && glm::dot(wave.wavenumber, before) < LeastCosine * k * glm::length(before));
+    before = wave.wavenumber;
   }
   // Near the shore k changes as the root of the distance to it.
-  if (least > 0.0 && most > LargestChange * least && half > ShortestPart * side.length)
+  if (least > 0.0 && (most > LargestChange * least || turned) && half > ShortestPart * side.length)
   {
     return this->integrate(side, from, middle) + this->integrate(side, middle, to);
   }

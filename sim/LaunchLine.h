@@ -5,6 +5,7 @@
 #include "sim/MapScale.h"
 #include "sim/Obstacles.h"
 #include "sim/Seafloor.h"
+#include "sim/WaveSource.h"
 
 #include <optional>
 #include <vector>
@@ -26,6 +27,18 @@ enum class EdgeRule
  * @return none where that plane's slope is below 1e-4: the direction of waves at the edge is taken as given then
  */
 std::optional<glm::dvec2> contourNormal(const Seafloor& seafloor, double waterLevel, std::optional<double> given);
+
+/** What the incident wave meets on its way to the rays' start. All must outlive the launch line. */
+struct LaunchOptions
+{
+  EdgeRule rule = EdgeRule::Contours;
+  std::optional<double> shoreNormal{}; ///< nautical degrees that the seaward normal of the contours points to, for
+                                       ///< EdgeRule::Contours; none: of the plane fitted to the wet depths
+  const Current* current = nullptr;
+  const Obstacles* obstacles = nullptr;
+  const MapScale* map = nullptr;
+  const WaveSource* source = nullptr; ///< a point that the wave comes from; none: a plane wave
+};
 
 /** Where and how one ray starts: on a map of the Earth the state on the map (RayStart). */
 struct LaunchPoint
@@ -60,21 +73,24 @@ struct LaunchPoint
  * On a map of the Earth directions are true ones (azimuths), dl and lambda true metres: the wave has the direction
  * offshore, refracted as the rule says, at every place of the edge.
  *
- * The seafloor, the current, the obstacles and the map must outlive the line.
+ * A wave that comes from a point (WaveSource) has at every place of the edge the direction of the ray that comes there over
+ * water of one depth, refracted from there on as a plane wave of that direction would be. Its height and crest are those at the place where
+ * it first meets the scene, with the tube's width b0 there: elsewhere, b wide, it brings b0/b of the energy,
+ *
+ *   lambda = integral of |t.n_edge| (cos theta0/cos theta) (b0/b) dl = b0 times the angle at the source.
+ *
+ * The seafloor and what the options point to must outlive the line.
  */
 class LaunchLine
 {
 public:
   /**
    * @param aground depth below which the edge counts as land, m, > 0
-   * @param shoreNormal nautical degrees that the seaward normal of the contours points to, for
-   *   EdgeRule::Contours; none: of the plane fitted to the wet depths, and the direction as given where that
-   *   plane's slope is below 1e-4
-   * @throws std::invalid_argument on a bad wave or depth
+   * @throws std::invalid_argument on a bad wave or depth, and on a source that the waves have come from too far around the Earth, or
+   *   on the edge
    */
-  LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground, EdgeRule rule,
-    std::optional<double> shoreNormal = {}, const Current* current = nullptr, const Obstacles* obstacles = nullptr,
-    const MapScale* map = nullptr);
+  LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
+    const LaunchOptions& options = {});
 
   /** Total length along the incident crest, m; 0 where the wave comes in nowhere over water. */
   double length() const { return this->Length; }
@@ -87,6 +103,11 @@ public:
    * this, also where it does not come in: in water no shallower than the aground depth. 0 where the rule has no wave.
    */
   glm::dvec2 wavenumberAt(const glm::dvec2& place, const glm::dvec2& inward) const;
+
+  /** The wave where it first meets the scene: of a plane wave, as it is given. */
+  double directionFrom() const { return this->DirectionFrom; } ///< offshore, nautical degrees
+  /** Way from the source to there, m; none of a plane wave. */
+  const std::optional<double>& sourceDistance() const { return this->SourceDistance; }
 
   /** Unit normal of the contours, towards the shore; nothing where the direction is taken as given. */
   const std::optional<glm::dvec2>& contourNormal() const { return this->ContourNormal; }
@@ -123,6 +144,16 @@ private:
     bool enters = false;
   };
 
+  /** The offshore wave at a place of a side. */
+  struct Offshore
+  {
+    glm::dvec2 direction{ 0.0 };
+    double turn = 0.0;   ///< of the direction along the side, anticlockwise, rad/m
+    double spread = 1.0; ///< crest there over crest at the reference
+  };
+
+  Offshore offshoreAt(const Side& side, double l) const;
+  void findReference();
   EdgeWave edgeWave(const Side& side, double l) const;
   void bringToMap(const Side& side, double l, EdgeWave& wave) const;
   std::optional<double> solveAlong(
@@ -132,18 +163,18 @@ private:
   void append(int index, int segment, double from, double to);
 
   const Seafloor* Floor;
-  const Current* Flow;    // null: still water
-  const Obstacles* Walls; // null: none
-  const MapScale* Map;    // null: a plane
+  LaunchOptions Options;
   double WaterLevel;
   IncidentWave Wave;
   double Aground;
-  EdgeRule Rule;
   std::optional<glm::dvec2> ContourNormal;
   std::vector<Side> Sides;
   std::vector<Stretch> Stretches;
   double Length = 0.0;
   double Perimeter = 0.0;
+  double ReferenceWidth = 1.0; // of the source's tube, m
+  double DirectionFrom = 0.0;
+  std::optional<double> SourceDistance;
 };
 
 }

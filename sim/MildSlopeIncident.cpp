@@ -41,7 +41,7 @@ MildSlopeIncident::MildSlopeIncident(const Seafloor& seafloor, double waterLevel
   : Mesh(&mesh)
   , Nodes((mesh.sceneColumns() + 1) * (mesh.sceneRows() + 1))
 {
-  const LaunchLine line(seafloor, waterLevel, wave, minDepth, options.edge, options.shoreNormal);
+  const LaunchLine line(seafloor, waterLevel, wave, minDepth, { options.edge, options.shoreNormal });
   // From the corner that the wave meets first around the scene to the one across, both ways.
   const glm::dvec2 t = wave.direction();
   const bool fromEast = t.x < 0.0;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace swellray
@@ -82,14 +83,16 @@ struct RayField
   std::vector<RayInfo> rays;
   std::vector<std::size_t> offsets{ 0 };
   std::vector<RayPoint> points;
-  std::vector<RayCaustic> caustics; ///< touched by refracted rays, ordered by ray and along it
-  std::uint32_t fronts = 0;         ///< number of fronts that were traced
-  double spacing = 0.0;             ///< launch spacing used, m
-  double maxSpacing = 0.0;          ///< insertion threshold used, m
-  double stepsPerWave = 0.0;        ///< fronts a wavelength used; 0 for fronts of equal length
-  double launchWidth = 0.0;         ///< length of the launch line along the incident crest, m
-  bool rayCapReached = false;       ///< no more rays were inserted because of the cap
-  bool stepCapReached = false;      ///< rays ended because of the cap on fronts or steps
+  std::vector<RayCaustic> caustics;     ///< touched by refracted rays, ordered by ray and along it
+  std::uint32_t fronts = 0;             ///< number of fronts that were traced
+  double spacing = 0.0;                 ///< launch spacing used, m
+  double maxSpacing = 0.0;              ///< insertion threshold used, m
+  double stepsPerWave = 0.0;            ///< fronts a wavelength used; 0 for fronts of equal length
+  double directionFrom = 0.0;           ///< of the incident wave where it first meets the scene, nautical degrees
+  std::optional<double> sourceDistance; ///< way to there from the point that it comes from, m; none of a plane wave
+  double launchWidth = 0.0;             ///< length of the launch line along the incident crest, m
+  bool rayCapReached = false;           ///< no more rays were inserted because of the cap
+  bool stepCapReached = false;          ///< rays ended because of the cap on fronts or steps
   bool cancelled = false;
   std::size_t evaluations = 0; ///< evaluations of the ray equations
 

@@ -144,14 +144,21 @@ RayField traceWaves(
   {
     requireCover(*medium.current, seafloor.bounds());
   }
-  const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth, options.edge, options.shoreNormal,
-    options.current, medium.obstacles, options.map);
+  const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth,
+    { options.edge, options.shoreNormal, options.current, medium.obstacles, options.map, options.source });
   if (!(line.length() > 0.0))
   {
-    throw std::runtime_error("a wave from " + number(wave.directionFrom) +
-      " degrees comes in nowhere over water: choose another direction, crop or water level");
+    throw std::runtime_error(options.source ? "the waves from this point come in nowhere over water: it must lie "
+                                              "outside of the scene, over water between the two"
+                                            : "a wave from " + number(wave.directionFrom) +
+          " degrees comes in nowhere over water: choose another direction, crop or water level");
   }
-  return FrontMarch(medium, wave, options, line, execution).run();
+  IncidentWave first = wave;
+  first.directionFrom = line.directionFrom();
+  RayField field = FrontMarch(medium, first, options, line, execution).run();
+  field.directionFrom = line.directionFrom();
+  field.sourceDistance = line.sourceDistance();
+  return field;
 }
 
 }

@@ -7,6 +7,7 @@
 #include "sim/Obstacles.h"
 #include "sim/RayField.h"
 #include "sim/Seafloor.h"
+#include "sim/WaveSource.h"
 
 #include <optional>
 
@@ -43,7 +44,9 @@ struct TraceOptions
   std::optional<double> shoreNormal;    ///< nautical degrees, seaward normal of the contours
   const Current* current = nullptr;     ///< must outlive the trace; none: still water
   const Obstacles* obstacles = nullptr; ///< must outlive the trace; none: nothing stands in the water
-  const MapScale* map = nullptr;   ///< of the Earth, whose metres those of the seafloor are (RayMedium); none: a plane
+  const MapScale* map = nullptr; ///< of the Earth, whose metres those of the seafloor are (RayMedium); none: a plane
+  const WaveSource* source =
+    nullptr; ///< a point that the wave comes from, in place of its direction; must outlive the trace
   std::size_t maxReflections = 10; ///< of one wave by obstacles
   std::size_t maxRays = 200000;
   std::size_t maxFronts = 100000;

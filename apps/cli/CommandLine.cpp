@@ -411,8 +411,9 @@ std::optional<Call> Parser::read()
   }
   for (const Registered& registered : this->Chosen->options)
   {
-    const bool needed = registered.spec.required ||
-      (this->Result.rays.wanted && (registered.spec.name == "--direction" || registered.spec.name == "--height"));
+    const RayRequest& rays = this->Result.rays;
+    const bool needed = registered.spec.required || (rays.wanted && registered.spec.name == "--height") ||
+      (rays.wanted && registered.spec.name == "--direction" && rays.source == RayRequest::Source::PlaneWave);
     if (needed && registered.option->count() == 0)
     {
       throw UsageError(fmt::format("{} needs {} {}", name, registered.spec.longName(), registered.spec.value));

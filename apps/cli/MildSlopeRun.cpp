@@ -158,6 +158,10 @@ void checkMildSlope(const Request& request)
   {
     throw UsageError("--method mild-slope knows one water level; leave out --water-levels, or take --method rays");
   }
+  if (request.rays.source != RayRequest::Source::PlaneWave)
+  {
+    throw UsageError("--method mild-slope takes a plane wave; give its --direction, or take --method rays");
+  }
   if (!request.rays.current.empty())
   {
     throw UsageError("--method mild-slope knows no current; leave out --current, or take --method rays");

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <stdexcept>
@@ -30,6 +31,32 @@ OptionSpec offshoreDepthOption(IncidentWave& wave)
                                          : parseNumber("--offshore-depth", typed, PositiveMetres);
   };
   return depth;
+}
+
+OptionSpec sourceOption(
+  RayRequest& rays, const char* name, const char* value, const char* help, RayRequest::Source source)
+{
+  OptionSpec spec{ name, value, help, "", "Incident wave", false, {} };
+  spec.set = [&rays, name, value, source](const std::string& typed)
+  {
+    const auto values = parseNumbers(name, typed, PlainNumber);
+    if (values.size() != 2)
+    {
+      throw UsageError(fmt::format("{} needs {}, not '{}'", name, value, typed));
+    }
+    if (source == RayRequest::Source::Storm && (std::abs(values[0]) > 360.0 || std::abs(values[1]) > 90.0))
+    {
+      throw UsageError(fmt::format(
+        "{} needs a longitude within -360 to 360 and a latitude within -90 to 90 degrees, not '{}'", name, typed));
+    }
+    if (rays.source != RayRequest::Source::PlaneWave)
+    {
+      throw UsageError("--from-storm and --from-point exclude each other; leave out one of the two");
+    }
+    rays.source = source;
+    rays.sourcePosition = { values[0], values[1] };
+  };
+  return spec;
 }
 
 OptionSpec gravityOption(IncidentWave& wave)
@@ -204,23 +231,36 @@ std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor)
   };
 }
 
-std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool required)
+std::vector<OptionSpec> waveOptions(RayRequest& rays, bool required)
 {
   const char* group = "Incident wave";
+  IncidentWave& wave = rays.wave;
   OptionSpec period = number("--period", "S", "wave period, s", "", group, wave.period, PositiveSeconds);
   const auto setPeriod = period.set;
-  period.set = [setPeriod, &wanted](const std::string& typed)
+  period.set = [setPeriod, &rays](const std::string& typed)
   {
     setPeriod(typed);
-    wanted = true;
+    rays.wanted = true;
   };
-  OptionSpec direction = number("--direction", "DEG", "where the waves come from, degrees clockwise from north", "",
-    group, wave.directionFrom, Degrees);
+  OptionSpec direction = number("--direction", "DEG",
+    "where the waves come from, degrees clockwise from north; or --from-storm, --from-point", "", group,
+    wave.directionFrom, Degrees);
+  const auto setDirection = direction.set;
+  direction.set = [setDirection, &rays](const std::string& typed)
+  {
+    setDirection(typed);
+    rays.directed = true;
+  };
   OptionSpec height =
     number("--height", "M", "wave height offshore, crest to trough, m", "", group, wave.height, PositiveMetres);
-  period.required = direction.required = height.required = required;
+  period.required = height.required = required;
 
-  return { period, direction, height, offshoreDepthOption(wave), gravityOption(wave) };
+  return { period, direction,
+    sourceOption(
+      rays, "--from-storm", "LON,LAT", "a storm far away that the waves come from, degrees", RayRequest::Source::Storm),
+    sourceOption(rays, "--from-point", "X,Y",
+      "a point of the plane that the waves come from, in the grid's own coordinates", RayRequest::Source::Point),
+    height, offshoreDepthOption(wave), gravityOption(wave) };
 }
 
 std::vector<OptionSpec> rayOptions(RayRequest& rays)
@@ -272,6 +312,10 @@ std::vector<OptionSpec> commonOptions(Request& request)
 
 void checkRays(RayRequest& rays)
 {
+  if (rays.directed && rays.source != RayRequest::Source::PlaneWave)
+  {
+    throw UsageError("--direction is that of a plane wave, a storm or a point gives its own; leave out one of the two");
+  }
   if (rays.height.caustics == CausticRule::Geometric && rays.maxRefraction)
   {
     throw UsageError("--kr-max limits nothing with --caustics geometric; leave out one of the two");

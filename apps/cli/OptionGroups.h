@@ -9,11 +9,8 @@ namespace swellray::cli
 
 std::vector<OptionSpec> seafloorOptions(SeafloorOptions& seafloor);
 
-/**
- * @param wanted set where a period is given
- * @param required the command does nothing without a wave
- */
-std::vector<OptionSpec> waveOptions(IncidentWave& wave, bool& wanted, bool required);
+/** @param required the command does nothing without a wave */
+std::vector<OptionSpec> waveOptions(RayRequest& rays, bool required);
 
 /** How rays are traced, on which current, and how heights are found: with waveOptions all that rays depend on. */
 std::vector<OptionSpec> rayOptions(RayRequest& rays);

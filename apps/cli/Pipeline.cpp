@@ -88,6 +88,10 @@ void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
 {
   tracer->SetPeriod(rays.wave.period);
   tracer->SetDirectionFrom(rays.wave.directionFrom);
+  tracer->SetSource(rays.source == RayRequest::Source::Storm ? vtkSwellRayTracer::STORM
+      : rays.source == RayRequest::Source::Point             ? vtkSwellRayTracer::POINT
+                                                             : vtkSwellRayTracer::PLANE_WAVE);
+  tracer->SetSourcePosition(rays.sourcePosition[0], rays.sourcePosition[1]);
   tracer->SetWaveHeight(rays.wave.height);
   tracer->SetOffshoreDepth(rays.wave.offshoreDepth);
   tracer->SetGravity(rays.wave.gravity);

@@ -163,7 +163,7 @@ CommandSpec renderSpec(Request& request)
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
   spec.options.front().required = true;
   add(spec.options, contourOptions(request.contour));
-  add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, false));
+  add(spec.options, waveOptions(request.rays, false));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"

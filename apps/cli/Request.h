@@ -37,6 +37,14 @@ struct RayRequest
 {
   bool wanted = false; ///< a period was given
   IncidentWave wave;
+  bool directed = false; ///< a direction was given
+  enum class Source
+  {
+    PlaneWave, ///< from its direction
+    Storm,     ///< longitude and latitude, degrees
+    Point,     ///< x and y in the grid's own coordinates
+  } source = Source::PlaneWave;
+  std::array<double, 2> sourcePosition{ 0.0, 0.0 };
   TraceOptions trace;
   std::string current;               ///< a file or NAME:key=value,...; empty: still water
   std::string obstacles;             ///< a file; empty: none

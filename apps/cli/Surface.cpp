@@ -244,7 +244,7 @@ CommandSpec surfaceSpec(Request& request)
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }), timesOption(surface), points,
     number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed };
-  add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
+  add(spec.options, waveOptions(request.rays, true));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples =

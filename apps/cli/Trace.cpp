@@ -12,6 +12,7 @@
 #include "StationTable.h"
 #include "WaterLevelSeries.h"
 
+#include "sim/Angles.h"
 #include "sim/RayField.h"
 
 #include <fmt/format.h>
@@ -157,6 +158,36 @@ void sayBreakers(vtkPolyData* lines, const Console& console)
           lines->GetNumberOfPoints(), range[0], range[1]));
 }
 
+// Of waves from a storm or a point: how far they have come, and the directions that they bring to the edges.
+void saySource(vtkPolyData* rays, const Console& console)
+{
+  const auto distance = fieldNumber(rays, "SourceDistance");
+  vtkDataArray* directions = rays->GetPointData()->GetArray("DirectionFrom");
+  vtkDataArray* parents = rays->GetCellData()->GetArray("ParentRay");
+  if (!distance || !directions || !parents)
+  {
+    return;
+  }
+  const double first = fieldNumber(rays, "DirectionFrom").value_or(0.0);
+  double low = 0.0;
+  double high = 0.0;
+  for (vtkIdType ray = 0; ray < rays->GetNumberOfCells(); ++ray)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    rays->GetCellPoints(ray, count, ids);
+    if (count > 0 && parents->GetComponent(ray, 0) < 0.0)
+    {
+      const double turn = std::remainder(directions->GetComponent(ids[0], 0) - first, 360.0);
+      low = std::min(low, turn);
+      high = std::max(high, turn);
+    }
+  }
+  console.say(fmt::format(
+    "source   {:.4g} m away; the waves first arrive from {:.5g} degrees, over the edges from {:.5g} to {:.5g}",
+    *distance, first, wrapDegrees(first + low), wrapDegrees(first + high)));
+}
+
 // The choices that the scene made, where the call left them open.
 void sayDefaults(vtkPolyData* rays, const Request& request, const Console& console)
 {
@@ -247,7 +278,9 @@ void runTrace(const Request& request, Console& console)
   vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
   const double readSeconds = reading.seconds();
   const Stopwatch tracing;
-  sayDefaults(pipeline.traceRays(), request, console);
+  vtkPolyData* traced = pipeline.traceRays();
+  saySource(traced, console);
+  sayDefaults(traced, request, console);
   vtkPolyData* rays = pipeline.computeHeights();
   const double traceSeconds = tracing.seconds();
 
@@ -319,7 +352,7 @@ CommandSpec traceSpec(Request& request)
     text("--water-levels", "FILE", "series time,level (.csv): a row of the table a station and time", "", "Output",
       request.map.waterLevels) };
   add(spec.options, lineOptions(request.output));
-  add(spec.options, waveOptions(request.rays.wave, request.rays.wanted, true));
+  add(spec.options, waveOptions(request.rays, true));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, mildSlopeOptions(request.mildSlope));
   add(spec.options, mapOptions(request.map));
@@ -336,6 +369,7 @@ CommandSpec traceSpec(Request& request)
     "0.5 "
     "-o rays.vtp\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --method mild-slope --map heights.nc\n"
+    "  swellray trace pacific.nc --earth ellipsoid --period 16 --from-storm 170,-50 --height 2 -o rays.vtp\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "

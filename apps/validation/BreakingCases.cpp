@@ -88,7 +88,7 @@ Found tracedBreaking(const Breaking& c, const Setting& setting)
   medium.angularFrequency = wave.angularFrequency();
   medium.gravity = setting.gravity;
   medium.agroundDepth = 0.1 * c.height;
-  const LaunchLine line(*seafloor, 0.0, wave, medium.agroundDepth, EdgeRule::Contours);
+  const LaunchLine line(*seafloor, 0.0, wave, medium.agroundDepth, { EdgeRule::Contours });
   // On the offshore edge, as far up the wave's way along the shore as there is room.
   LaunchPoint launch = line.at(0.5 * line.length());
   for (int i = 1; i < 400; ++i)

@@ -21,3 +21,25 @@ swellray_cli_test(ellipsoid_pole 1 "" "reach beyond latitude 85"
   "$SWELLRAY trace $IN/arctic.asc --crs EPSG:4326 ${wave} --earth ellipsoid -o r.vtp")
 swellray_cli_test(ellipsoid_word 2 "" "--earth must be plane or ellipsoid" "${trace} --earth sphere -o r.vtp")
 swellray_cli_test(ellipsoid_current 0 "left the scene" "" "${ocean} --current shear:S=1e-6 -o r.vtp")
+
+# Waves from a storm or a point.
+set(storm "$SWELLRAY trace $IN/ocean.asc --crs EPSG:4326 --earth ellipsoid --period 16 --height 3 --spacing 50000 --steps-per-wave 0.1")
+swellray_cli_test(storm_trace 0 "source +[0-9.e+]+ m away; the waves first arrive from 1[0-9.]+ degrees, over the edges from" ""
+  "${storm} --from-storm 170,-60 -o r.vtp && grep -qa SourceDistance r.vtp")
+swellray_cli_test(storm_plane 1 "" "says where on Earth it lies: give its CRS"
+  "$SWELLRAY trace plane --period 6 --height 1 --from-storm 170,-60 -o r.vtp")
+swellray_cli_test(storm_inside 1 "" "must lie outside of the scene" "${storm} --from-storm 178,-45 -o r.vtp")
+swellray_cli_test(storm_opposite 1 "" "nearly opposite the scene" "${storm} --from-storm 0,46 -o r.vtp")
+swellray_cli_test(storm_latitude 2 "" "--from-storm needs a longitude within -360 to 360 and a latitude within -90 to 90 degrees, not '170,-95'"
+  "${storm} --from-storm 170,-95 -o r.vtp")
+swellray_cli_test(storm_one_number 2 "" "--from-storm needs LON,LAT, not '170'" "${storm} --from-storm 170 -o r.vtp")
+swellray_cli_test(storm_and_direction 2 "" "--direction is that of a plane wave"
+  "${storm} --from-storm 170,-60 --direction 200 -o r.vtp")
+swellray_cli_test(storm_and_point 2 "" "--from-storm and --from-point exclude each other"
+  "${storm} --from-storm 170,-60 --from-point 1,2 -o r.vtp")
+swellray_cli_test(point_trace 0 "source +100 m away; the waves first arrive from (90|89.9[0-9]*|90.0[0-9]*) degrees" ""
+  "$SWELLRAY trace plane --period 6 --height 0.5 --from-point 2500,0 -o r.vtp --map m.nc")
+swellray_cli_test(point_degrees 1 "" "waves from a point need a plane" "${storm} --from-point 170,-60 -o r.vtp")
+swellray_cli_test(point_mild_slope 2 "" "mild-slope takes a plane wave"
+  "$SWELLRAY trace $IN/beach.asc --period 6 --height 0.5 --from-point -50,100 --method mild-slope --map m.nc")
+swellray_cli_test(no_direction 2 "" "trace needs --direction DEG" "$SWELLRAY trace plane --period 6 --height 1 -o r.vtp")

@@ -166,7 +166,7 @@ TEST(CurrentLaunch, keepsTheWavenumberAlongTheContoursAndTheAction)
   const auto bed = makeBuiltinSeafloor("plane:slope=0.02,facing=270,x0=-3000,x1=-300,y0=-1000,y1=1000");
   const auto current = makeBuiltinCurrent("jet:V0=1.5,w=400,xc=-1800");
   const IncidentWave wave = waveFrom(250.0, 9.0);
-  const LaunchLine line(*bed, 0.0, wave, 0.05, EdgeRule::Contours, 270.0, current.get());
+  const LaunchLine line(*bed, 0.0, wave, 0.05, { EdgeRule::Contours, 270.0, current.get() });
   const glm::dvec2 t0 = wave.direction();
   const double alongShore = wave.wavenumber() * t0.y;
   ASSERT_GT(line.length(), 0.0);
@@ -204,7 +204,7 @@ TEST(CurrentLaunch, letsNothingInWhereTheCurrentIsTooStrong)
   const auto bed = makeBuiltinSeafloor("plane:slope=0.02,facing=270,x0=-3000,x1=-300,y0=-1000,y1=1000");
   // A jet out to sea through the middle of the west edge.
   const auto current = makeBuiltinCurrent("jet:V0=4,w=200,heading=270");
-  const LaunchLine line(*bed, 0.0, waveFrom(270.0, 6.0), 0.05, EdgeRule::Contours, 270.0, current.get());
+  const LaunchLine line(*bed, 0.0, waveFrom(270.0, 6.0), 0.05, { EdgeRule::Contours, 270.0, current.get() });
   double closest = 1e9;
   for (double share = 0.0; share <= 1.0; share += 0.001)
   {

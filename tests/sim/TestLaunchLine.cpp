@@ -156,7 +156,7 @@ TEST_P(ObliqueWave, isThatOfTheStraightBeachOnEveryEdge)
 {
   const ObliqueCase& c = GetParam();
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::Contours);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::Contours });
   const BeachWave exact(c);
   ASSERT_TRUE(line.contourNormal());
   EXPECT_LT(glm::length(*line.contourNormal() - exact.normal()), Rounding);
@@ -207,7 +207,7 @@ TEST_P(ObliqueWave, changesAlongTheEdgeAsItsDerivativesSay)
 {
   const ObliqueCase& c = GetParam();
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::Contours);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::Contours });
   // Central differences; the tolerance is that of their truncation and of the integration along the edge.
   constexpr double apart = 0.05;
   constexpr double tolerance = 1e-5;
@@ -236,7 +236,7 @@ TEST_P(ObliqueWave, sendsRaysThatKeepToTheExactOnes)
 {
   const ObliqueCase& c = GetParam();
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::Contours);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::Contours });
   const BeachWave exact(c);
   const RayMedium medium = mediumOf(*beach, c.period, Aground);
   // Tolerance 1e-12 on some km of rays: see the comparisons on straight contours.
@@ -279,7 +279,7 @@ TEST(LaunchLine, isAsLongAsTheCrestThatComesIn)
   // A beach that faces east, the wave from the north-east: in through the north edge, from where it is wet, and the east.
   const ObliqueCase c{ "", 90.0, 0.02, 10.0, 40.0, Deep };
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::Contours);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::Contours });
   const Rectangle box = beach->bounds();
   const BeachWave exact(c);
   const glm::dvec2 shore(Aground / c.slope, box.high.y);
@@ -297,7 +297,7 @@ TEST(LaunchLine, takesTheDirectionAsGivenWithoutARule)
 {
   const ObliqueCase c{ "", 90.0, 0.02, 10.0, 120.0, Deep };
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::None);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::None });
   EXPECT_FALSE(line.contourNormal());
   const Rectangle box = beach->bounds();
   // The shadow of the box on the crest: the wet part of the south edge and the east edge.
@@ -321,7 +321,7 @@ TEST(LaunchLine, keepsTheWavenumberAlongEachEdgeByTheEdgeRule)
 {
   const ObliqueCase c{ "", 90.0, 0.02, 10.0, 120.0, Deep };
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::Edge);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::Edge });
   const Rectangle box = beach->bounds();
   const IncidentWave wave = waveOf(c);
   const double k0 = static_cast<double>(4.0L * reference::Pi * reference::Pi / (c.period * c.period * Gravity));
@@ -354,7 +354,7 @@ TEST(LaunchLine, takesANormalThatIsGiven)
 {
   const ObliqueCase c{ "", 90.0, 0.02, 10.0, 120.0, Deep };
   const auto beach = beachOf(c);
-  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, EdgeRule::Contours, 110.0);
+  const LaunchLine line(*beach, 0.0, waveOf(c), Aground, { EdgeRule::Contours, 110.0 });
   ASSERT_TRUE(line.contourNormal());
   const double landward = radians(270.0 - 110.0);
   EXPECT_LT(glm::length(*line.contourNormal() - glm::dvec2(std::cos(landward), std::sin(landward))), Rounding);
@@ -370,7 +370,7 @@ TEST(LaunchLine, takesTheDirectionAsGivenOverAFlatBed)
   const auto flat = makeBuiltinSeafloor("shoal:a=0,h0=15");
   IncidentWave wave;
   wave.directionFrom = 250.0;
-  const LaunchLine line(*flat, 0.0, wave, Aground, EdgeRule::Contours);
+  const LaunchLine line(*flat, 0.0, wave, Aground, { EdgeRule::Contours });
   EXPECT_FALSE(line.contourNormal());
   const glm::dvec2 size = flat->bounds().size();
   const glm::dvec2 t = wave.direction();
@@ -395,7 +395,7 @@ TEST(LaunchLine, isSplitByLandOnTheEdge)
   const FormulaSeafloor ridge(formula, { { -500.0, -800.0 }, { 500.0, 700.0 } }, 50.0);
   IncidentWave wave;
   wave.directionFrom = 90.0;
-  const LaunchLine line(ridge, 0.0, wave, Aground, EdgeRule::None);
+  const LaunchLine line(ridge, 0.0, wave, Aground, { EdgeRule::None });
   const double dry = 100.0 * std::sqrt(std::log(40.0 / (20.0 - Aground)));
   EXPECT_NEAR(line.length(), 1500.0 - 2.0 * dry, 1e-8);
   // Rays go west, lambda grows to the south.
@@ -428,7 +428,7 @@ TEST(LaunchLine, isSplitByAHoleOnTheEdge)
   const SplineSeafloor seafloor(grid);
   IncidentWave wave;
   wave.directionFrom = 270.0;
-  const LaunchLine line(seafloor, 0.0, wave, Aground, EdgeRule::None);
+  const LaunchLine line(seafloor, 0.0, wave, Aground, { EdgeRule::None });
   // Cells that touch a node without data are a hole: rows 19 to 26.
   EXPECT_NEAR(line.length(), 600.0 - 70.0, 1e-6);
   EXPECT_EQ(line.at(0.0).segment, 0);
@@ -442,7 +442,7 @@ TEST(LaunchLine, hasNoLengthWhereNothingComesIn)
   const FormulaSeafloor dry(land, { { 0.0, 0.0 }, { 100.0, 100.0 } }, 10.0);
   for (const EdgeRule rule : { EdgeRule::Contours, EdgeRule::Edge, EdgeRule::None })
   {
-    const LaunchLine line(dry, 0.0, IncidentWave(), Aground, rule);
+    const LaunchLine line(dry, 0.0, IncidentWave(), Aground, { rule });
     EXPECT_EQ(line.length(), 0.0);
     EXPECT_THROW(line.at(0.0), std::logic_error);
   }
@@ -450,17 +450,17 @@ TEST(LaunchLine, hasNoLengthWhereNothingComesIn)
   const auto beach = makeBuiltinSeafloor("plane:facing=90");
   IncidentWave offLand;
   offLand.directionFrom = 270.0;
-  EXPECT_EQ(LaunchLine(*beach, 0.0, offLand, Aground, EdgeRule::Contours).length(), 0.0);
-  EXPECT_EQ(LaunchLine(*beach, 0.0, offLand, Aground, EdgeRule::None).length(), 0.0);
+  EXPECT_EQ(LaunchLine(*beach, 0.0, offLand, Aground, { EdgeRule::Contours }).length(), 0.0);
+  EXPECT_EQ(LaunchLine(*beach, 0.0, offLand, Aground, { EdgeRule::None }).length(), 0.0);
 }
 
 TEST(LaunchLine, refusesABadWave)
 {
   const auto beach = makeBuiltinSeafloor("plane");
   IncidentWave wave;
-  EXPECT_THROW(LaunchLine(*beach, 0.0, wave, 0.0, EdgeRule::None), std::invalid_argument);
+  EXPECT_THROW(LaunchLine(*beach, 0.0, wave, 0.0, { EdgeRule::None }), std::invalid_argument);
   EXPECT_THROW(
-    LaunchLine(*beach, 0.0, wave, std::numeric_limits<double>::quiet_NaN(), EdgeRule::None), std::invalid_argument);
+    LaunchLine(*beach, 0.0, wave, std::numeric_limits<double>::quiet_NaN(), { EdgeRule::None }), std::invalid_argument);
   wave.period = 0.0;
-  EXPECT_THROW(LaunchLine(*beach, 0.0, wave, Aground, EdgeRule::None), std::invalid_argument);
+  EXPECT_THROW(LaunchLine(*beach, 0.0, wave, Aground, { EdgeRule::None }), std::invalid_argument);
 }

@@ -236,7 +236,7 @@ TEST(WaveTracer, RetracedRaysAreExact)
   TraceOptions options = paperOptions();
   options.step.reset();
   const RayField field = traceWaves(*seafloor, wave, options);
-  const LaunchLine line(*seafloor, 0.0, wave, 0.05 * wave.height, EdgeRule::Contours);
+  const LaunchLine line(*seafloor, 0.0, wave, 0.05 * wave.height, { EdgeRule::Contours });
   RayMedium medium;
   medium.seafloor = seafloor.get();
   medium.angularFrequency = wave.angularFrequency();
