@@ -302,7 +302,7 @@ void ChartItem::paintHeading(vtkContext2D* painter)
     {
       const auto depth = fieldNumber(this->Content.rays, "OffshoreDepth");
       parts.push_back(fmt::format("waves of {} s, {} m high, from {}\u00b0 ({}){}", shortNumber(*period),
-        shortNumber(*height), shortNumber(*direction), compassPoint(*direction),
+        shortNumber(*height), shortNumber(0.01 * std::round(100.0 * *direction)), compassPoint(*direction),
         depth && std::isfinite(*depth) ? fmt::format(" in {} m of water", shortNumber(*depth)) : " in deep water"));
     }
   }
