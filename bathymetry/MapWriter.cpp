@@ -1,68 +1,26 @@
 #include "bathymetry/MapWriter.h"
 
+#include "bathymetry/GdalOutput.h"
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/Wkt.h"
 #include "sim/EllipsoidMercator.h"
 
-#include <cpl_conv.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <array>
-#include <cerrno>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <stdexcept>
 
-#include <fcntl.h>
-#include <unistd.h>
-
 namespace swellray
 {
 
+using namespace gdaloutput;
+
 namespace
 {
-
-// No side-car files: everything is in the one file, or nowhere.
-class NoSideCars
-{
-public:
-  NoSideCars() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", "NO"); }
-  ~NoSideCars() { CPLSetThreadLocalConfigOption("GDAL_PAM_ENABLED", nullptr); }
-  NoSideCars(const NoSideCars&) = delete;
-  void operator=(const NoSideCars&) = delete;
-};
-
-[[noreturn]] void fail()
-{
-  throw std::runtime_error(QuietGdal::lastError("no reason given"));
-}
-
-void require(bool done)
-{
-  if (!done || QuietGdal::failed())
-  {
-    fail();
-  }
-}
-
-GDALDriver* driverNamed(const char* name)
-{
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName(name);
-  if (!driver)
-  {
-    throw std::runtime_error(std::string("this GDAL has no driver ") + name);
-  }
-  return driver;
-}
-
-struct CloseDataset
-{
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
 GDALDataType typeOf(const MapVariable& variable)
 {
@@ -139,14 +97,6 @@ void setPlace(GDALDataset& dataset, const MapImage& map)
   }
 }
 
-// A netCDF object with attributes: a group or a variable.
-template <typename Object>
-void setText(Object& object, const std::string& name, const std::string& value)
-{
-  const auto attribute = object.CreateAttribute(name, {}, GDALExtendedDataType::CreateString());
-  require(attribute && attribute->Write(value.c_str()));
-}
-
 struct Axis
 {
   std::string name;
@@ -219,34 +169,15 @@ void addVariable(GDALGroup& root, const std::vector<std::shared_ptr<GDALDimensio
     nodes * type.GetSize()));
 }
 
-// HDF5 does not survive a disk that is full (it crashes when the process ends), so that room is made before: for the
-// values as they are, which compressed will need less.
-void requireRoom(const std::string& path, const MapImage& map)
+// Values as they are, and something for the rest.
+std::size_t roomOf(const MapImage& map)
 {
-  constexpr std::size_t ForTheRest = 65536;
-  std::size_t size = ForTheRest;
+  std::size_t size = 0;
   for (const MapVariable& variable : map.variables)
   {
     size += map.columns * map.rows * static_cast<std::size_t>(GDALGetDataTypeSizeBytes(typeOf(variable)));
   }
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
-  if (file < 0)
-  {
-    throw std::runtime_error(std::strerror(errno));
-  }
-  const int error = posix_fallocate(file, 0, static_cast<off_t>(size));
-  ::close(file);
-  if (error == ENOSPC || error == EFBIG)
-  {
-    throw std::runtime_error("the disk is full, or files may not get so large");
-  }
-}
-
-void close(Dataset& dataset)
-{
-  dataset->FlushCache(true);
-  dataset.reset();
-  require(true);
+  return size;
 }
 
 }
@@ -306,10 +237,8 @@ void writeNetcdf(const std::string& path, const MapImage& map)
 {
   const QuietGdal quiet;
   const NoSideCars noSideCars;
-  requireRoom(path, map);
-  const char* const format[] = { "FORMAT=NC4", nullptr };
-  Dataset dataset(driverNamed("netCDF")->CreateMultiDimensional(path.c_str(), nullptr, format));
-  require(dataset != nullptr);
+  requireRoom(path, roomOf(map));
+  Dataset dataset = createNetcdf(path);
   {
     const std::shared_ptr<GDALGroup> root = dataset->GetRootGroup();
     require(root != nullptr);

@@ -6,6 +6,7 @@
 #include "GeoreferenceField.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
+#include "TransferSource.h"
 #include "bathymetry/SpectrumFile.h"
 #include "sim/Angles.h"
 #include "sim/SeaState.h"
@@ -30,34 +31,9 @@ vtkStandardNewMacro(vtkSwellSpectralMap);
 namespace
 {
 
-// Directions of the spectrum offshore: twice the usual ones, as refraction gathers many of them into few at the shore.
-constexpr std::size_t OffshoreDirections = 72;
-
-struct OffshoreSea
+swellray::SpectralGrid withHeadings(const swellray::SpectralGrid& grid, std::size_t count)
 {
-  swellray::DirectionalSpectrum spectrum;
-  swellray::SpectralRays rays;
-};
-
-OffshoreSea seaOfFile(const std::string& file, std::size_t frequencies, std::size_t directions)
-{
-  const swellray::DirectionalSpectrum spectrum = swellray::readSpectra(file).records.front().spectrum;
-  OffshoreSea sea;
-  sea.rays.grid = swellray::spectralGridOf(spectrum, frequencies, directions);
-  sea.spectrum = swellray::resample(spectrum, swellray::spectralGridOf(spectrum, frequencies, OffshoreDirections));
-  return sea;
-}
-
-OffshoreSea seaOfState(const swellray::SeaState& state, std::size_t frequencies, std::size_t directions)
-{
-  const swellray::FrequencySpectrum spectrum = state.spectrum();
-  OffshoreSea sea;
-  sea.rays.grid = swellray::spectralGridOf(spectrum, frequencies, directions);
-  sea.spectrum =
-    swellray::DirectionalSpectrum::sample(swellray::spectralGridOf(spectrum, frequencies, OffshoreDirections), spectrum,
-      swellray::DirectionalSpreading::cosinePower(swellray::radians(state.spread)),
-      swellray::headingFromNautical(state.directionFrom));
-  return sea;
+  return { grid.frequencies, swellray::SpectralGrid::logarithmic(0.1, 1.0, 2, count).headings };
 }
 
 }
@@ -66,6 +42,7 @@ vtkSwellSpectralMap::vtkSwellSpectralMap()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
   , Water(std::make_unique<swellray::CurrentField>())
   , Spectra(std::make_unique<std::vector<swellray::DirectionalSpectrum>>())
+  , Transfer(std::make_unique<swellray::TransferTable>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
@@ -75,6 +52,12 @@ vtkSwellSpectralMap::~vtkSwellSpectralMap()
 {
   delete[] this->BoundaryFileName;
   delete[] this->Current;
+  delete[] this->TransferFileName;
+}
+
+const swellray::TransferTable& vtkSwellSpectralMap::GetTransferTable() const
+{
+  return *this->Transfer;
 }
 
 const std::vector<swellray::DirectionalSpectrum>& vtkSwellSpectralMap::GetSpectra() const
@@ -141,15 +124,36 @@ int vtkSwellSpectralMap::RequestData(
     state.gravity = this->Gravity;
     state.wind = this->Wind != 0.0 ? std::optional<double>(this->Wind) : std::nullopt;
     state.fetch = this->Fetch != 0.0 ? std::optional<double>(this->Fetch) : std::nullopt;
+    const bool ofFile = this->BoundaryFileName && *this->BoundaryFileName;
+    const std::string transferFile = this->TransferFileName ? this->TransferFileName : "";
+    const bool table = this->KeepTransfer || !transferFile.empty();
     const auto frequencies = static_cast<std::size_t>(this->NumberOfFrequencies);
     const auto directions = static_cast<std::size_t>(this->NumberOfDirections);
-    const OffshoreSea sea = this->BoundaryFileName && *this->BoundaryFileName
-      ? seaOfFile(this->BoundaryFileName, frequencies, directions)
-      : seaOfState(state, frequencies, directions);
+    const swellray::DirectionalSpectrum read =
+      ofFile ? swellray::readSpectra(this->BoundaryFileName).records.front().spectrum : swellray::DirectionalSpectrum();
     swellray::SpectralSeaOptions options;
-    options.rays = sea.rays;
-    options.rays.perDirection = static_cast<std::size_t>(this->RaysPerDirection);
+    swellray::TransferTable& kept = *this->Transfer;
+    kept = transferFile.empty() ? swellray::TransferTable() : swellray::readTransferTableIfThere(transferFile);
+    if (!kept.rays.grid.frequencies.empty())
+    {
+      options.rays = kept.rays;
+    }
+    else
+    {
+      const bool ranged = this->FrequencyRange[0] != 0.0 || this->FrequencyRange[1] != 0.0;
+      options.rays.grid = ranged
+        ? swellray::SpectralGrid::logarithmic(this->FrequencyRange[0], this->FrequencyRange[1], frequencies, directions)
+        : ofFile ? swellray::spectralGridOf(read, frequencies, directions)
+                 : swellray::spectralGridOf(state.spectrum(), frequencies, directions);
+      options.rays.perDirection = static_cast<std::size_t>(this->RaysPerDirection);
+    }
     options.gamma = this->Gamma != 0.0 ? std::optional<double>(this->Gamma) : std::nullopt;
+    const swellray::SpectralGrid offshoreGrid = withHeadings(options.rays.grid, swellray::OffshoreDirections);
+    const swellray::DirectionalSpectrum sea = ofFile
+      ? swellray::resample(read, offshoreGrid)
+      : swellray::DirectionalSpectrum::sample(offshoreGrid, state.spectrum(),
+          swellray::DirectionalSpreading::cosinePower(swellray::radians(state.spread)),
+          swellray::headingFromNautical(state.directionFrom));
 
     vtkDataArray* elevation = vtkImageData::GetData(inputVector[1]) ? this->GetInputArrayToProcess(0, inputVector)
                                                                     : image->GetPointData()->GetArray("Elevation");
@@ -178,8 +182,25 @@ int vtkSwellSpectralMap::RequestData(
       places->GetPoint(i, p);
       points[static_cast<std::size_t>(i)] = { p[0], p[1] };
     }
-    const std::vector<swellray::PlaceSea> seas = swellray::transformSea(tracer, options, sea.spectrum, points,
-      swellray::makeExecution(this), this->KeepSpectra ? this->Spectra.get() : nullptr);
+    std::vector<swellray::DirectionalSpectrum>* spectra = this->KeepSpectra ? this->Spectra.get() : nullptr;
+    std::vector<swellray::PlaceSea> seas;
+    if (table)
+    {
+      const std::vector<std::string> scene =
+        swellray::describeScene(image, elevation, backward, frequencies, directions, options.rays.perDirection);
+      constexpr double TracingShare = 0.95;
+      swellray::completeTransferTable(transferFile, kept, scene, options.rays, tracer, points,
+        swellray::makeExecution(this, 0.0, TracingShare), "Swellray " SWELLRAY_VERSION);
+      if (!this->GetAbortExecute())
+      {
+        seas =
+          swellray::transformSea(options, sea, kept.places, swellray::makeExecution(this, TracingShare, 1.0), spectra);
+      }
+    }
+    else
+    {
+      seas = swellray::transformSea(tracer, options, sea, points, swellray::makeExecution(this), spectra);
+    }
     if (this->GetAbortExecute())
     {
       output->Initialize();
@@ -213,7 +234,7 @@ int vtkSwellSpectralMap::RequestData(
     }
     out->SetActiveScalars("SignificantWaveHeight");
     output->GetFieldData()->PassData(image->GetFieldData());
-    const swellray::SeaParameters offshore = swellray::seaParameters(sea.spectrum);
+    const swellray::SeaParameters offshore = swellray::seaParameters(sea);
     swellray::setFieldValue(output, "OffshoreSignificantWaveHeight", offshore.significantHeight);
     swellray::setFieldValue(output, "OffshorePeakPeriod", offshore.peakPeriod);
     swellray::setFieldValue(output, "OffshoreMeanDirectionFrom", offshore.meanDirectionFrom);
@@ -261,5 +282,8 @@ void vtkSwellSpectralMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseShoreNormal: " << (this->UseShoreNormal ? "on" : "off") << "\n";
   os << indent << "ShoreNormal: " << this->ShoreNormal << "\n";
   os << indent << "Current: " << (this->Current ? this->Current : "(none)") << "\n";
+  os << indent << "FrequencyRange: " << this->FrequencyRange[0] << ", " << this->FrequencyRange[1] << "\n";
+  os << indent << "TransferFileName: " << (this->TransferFileName ? this->TransferFileName : "(none)") << "\n";
+  os << indent << "KeepTransfer: " << (this->KeepTransfer ? "on" : "off") << "\n";
   os << indent << "KeepSpectra: " << (this->KeepSpectra ? "on" : "off") << "\n";
 }

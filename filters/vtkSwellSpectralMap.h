@@ -13,6 +13,7 @@ namespace swellray
 class CurrentField;
 class SeafloorField;
 struct DirectionalSpectrum;
+struct TransferTable;
 }
 
 /**
@@ -38,6 +39,10 @@ struct DirectionalSpectrum;
  *
  * The sea offshore is that of BoundaryFileName (the first spectrum of the file), or else of Wind, or else of
  * SignificantHeight and PeakPeriod.
+ *
+ * With TransferFileName the rays are kept in a file (swellray::TransferTable): places that it has are not traced again,
+ * others are added to it. It is checked to belong to the same scene and rays, and brings its own frequencies. It is written
+ * every 20 s while rays are traced, and after an abort, so that work that was broken off goes on where it was.
  */
 class SWELLRAYFILTERS_EXPORT vtkSwellSpectralMap : public vtkDataSetAlgorithm
 {
@@ -121,6 +126,12 @@ public:
   ///@}
 
   ///@{
+  /** Lowest and highest frequency, Hz, in place of that band; default 0, 0: the band. */
+  vtkSetVector2Macro(FrequencyRange, double);
+  vtkGetVector2Macro(FrequencyRange, double);
+  ///@}
+
+  ///@{
   /** Directions around the circle, >= 4, default 36. */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
@@ -196,12 +207,28 @@ public:
   vtkBooleanMacro(KeepSpectra, bool);
   ///@}
 
+  ///@{
+  /** File that keeps the rays; default none. */
+  vtkSetFilePathMacro(TransferFileName);
+  vtkGetFilePathMacro(TransferFileName);
+  ///@}
+
+  ///@{
+  /** Keep the rays of all places for GetTransferTable(), also without a file; default off. */
+  vtkSetMacro(KeepTransfer, bool);
+  vtkGetMacro(KeepTransfer, bool);
+  vtkBooleanMacro(KeepTransfer, bool);
+  ///@}
+
   /** Connect the seafloor. */
   void SetSeafloorConnection(vtkAlgorithmOutput* seafloor) { this->SetInputConnection(1, seafloor); }
 
 #ifndef __VTK_WRAP__
   /** Spectra of the places, in their order, of the last update with KeepSpectra on; empty ones for dry places. */
   const std::vector<swellray::DirectionalSpectrum>& GetSpectra() const;
+
+  /** Rays of the places, in their order, of the last update with KeepTransfer on or a TransferFileName. */
+  const swellray::TransferTable& GetTransferTable() const;
 #endif
 
 protected:
@@ -222,6 +249,7 @@ protected:
   double Fetch = 0.0;
   char* BoundaryFileName = nullptr;
   int NumberOfFrequencies = 20;
+  double FrequencyRange[2] = { 0.0, 0.0 };
   int NumberOfDirections = 36;
   int RaysPerDirection = 1;
   double Tolerance = 1e-5;
@@ -235,6 +263,8 @@ protected:
   bool UseShoreNormal = false;
   char* Current = nullptr;
   bool KeepSpectra = false;
+  char* TransferFileName = nullptr;
+  bool KeepTransfer = false;
 
 private:
   vtkSwellSpectralMap(const vtkSwellSpectralMap&) = delete;
@@ -243,6 +273,7 @@ private:
   std::unique_ptr<swellray::SeafloorField> Seafloor;
   std::unique_ptr<swellray::CurrentField> Water;
   std::unique_ptr<std::vector<swellray::DirectionalSpectrum>> Spectra;
+  std::unique_ptr<swellray::TransferTable> Transfer;
 };
 
 #endif

@@ -8,6 +8,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace swellray
 {
@@ -27,18 +28,23 @@ void requireIncreasing(const std::vector<double>& values, const char* name)
   }
 }
 
-// Period of the largest value of a spectrum over frequency, by a parabola through it and its neighbours.
-double peakPeriod(const std::vector<double>& f, const std::vector<double>& s)
+// Period of the largest value of a spectrum over frequency, the first of three sums each, by a parabola through it and
+// its neighbours.
+double peakPeriod(const std::vector<double>& f, const double* sums)
 {
-  const std::size_t i = static_cast<std::size_t>(std::max_element(s.begin(), s.end()) - s.begin());
-  if (i == 0 || i + 1 == s.size())
+  std::size_t i = 0;
+  for (std::size_t other = 1; other < f.size(); ++other)
+  {
+    i = sums[3 * other] > sums[3 * i] ? other : i;
+  }
+  if (i == 0 || i + 1 == f.size())
   {
     return 1.0 / f[i];
   }
   const double a = f[i - 1] - f[i];
   const double b = f[i + 1] - f[i];
-  const double u = s[i - 1] - s[i];
-  const double v = s[i + 1] - s[i];
+  const double u = sums[3 * (i - 1)] - sums[3 * i];
+  const double v = sums[3 * (i + 1)] - sums[3 * i];
   // s = c1 x + c2 x^2 through (a, u), (b, v).
   const double c2 = (u / a - v / b) / (a - b);
   const double c1 = u / a - c2 * a;
@@ -208,15 +214,17 @@ DirectionalSpectrum DirectionalSpectrum::sample(const SpectralGrid& grid, const 
     }
   }
   double sum = 0.0;
+  std::vector<double> shares(dh.size());
   for (std::size_t i = 0; i < f.size(); ++i)
   {
+    const bool asBefore = i > 0 && spreading.shape() != SpreadingShape::Hasselmann;
     double circle = 0.0;
     for (std::size_t j = 0; j < dh.size(); ++j)
     {
       const double middle = grid.headings[j] - meanHeading;
-      const double share = spreading.share(f[i], middle - 0.5 * dh[j], middle + 0.5 * dh[j]);
-      result.density[i * dh.size() + j] = means[i] / df[i] * share / dh[j];
-      circle += share;
+      shares[j] = asBefore ? shares[j] : spreading.share(f[i], middle - 0.5 * dh[j], middle + 0.5 * dh[j]);
+      result.density[i * dh.size() + j] = means[i] / df[i] * shares[j] / dh[j];
+      circle += shares[j];
     }
     sum += means[i] * circle;
   }
@@ -228,77 +236,150 @@ DirectionalSpectrum DirectionalSpectrum::sample(const SpectralGrid& grid, const 
   return result;
 }
 
-DirectionalSpectrum resample(const DirectionalSpectrum& spectrum, const SpectralGrid& grid)
+SpectrumResampler::AxisWeights SpectrumResampler::frequencyAxis(const SpectralGrid& from, const SpectralGrid& to)
 {
-  grid.validate();
-  spectrum.grid.validate();
-  const auto& from = spectrum.grid;
-  const std::vector<double> df = grid.frequencyWeights();
-  const std::vector<double> dh = grid.headingWeights();
-  const bool circle = grid.isCircle();
-  const std::size_t sources = from.headings.size() - (from.isCircle() ? 0 : 1);
-
-  // Pieces finer than both grids; the function is bilinear in them, so that their middles hold their energy exactly.
-  const double fineFrequency = 0.25 * *std::min_element(df.begin(), df.end());
-  const double fineHeading = 0.25 * *std::min_element(dh.begin(), dh.end());
-  DirectionalSpectrum result;
-  result.grid = grid;
-  result.density.assign(grid.size(), 0.0);
-  double whole = 0.0;
-  double inside = 0.0;
-  for (std::size_t i = 0; i + 1 < from.frequencies.size(); ++i)
+  const auto& nodes = from.frequencies;
+  const std::vector<double> widths = to.frequencyWeights();
+  AxisWeights axis;
+  axis.weights.assign(widths.size() * nodes.size(), 0.0);
+  axis.whole.assign(nodes.size(), 0.0);
+  axis.inside.assign(nodes.size(), 0.0);
+  // Pieces finer than both grids; densities are linear in them, so that their middles hold their energy exactly.
+  const double fine = 0.25 * *std::min_element(widths.begin(), widths.end());
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i)
   {
-    const double width = from.frequencies[i + 1] - from.frequencies[i];
-    const int parts = std::clamp(static_cast<int>(std::ceil(width / fineFrequency)), 1, 1000);
+    const double width = nodes[i + 1] - nodes[i];
+    const int parts = std::clamp(static_cast<int>(std::ceil(width / fine)), 1, 1000);
     for (int p = 0; p < parts; ++p)
     {
-      const double f = from.frequencies[i] + width * (p + 0.5) / parts;
-      const double held = std::clamp(f, grid.frequencies.front(), grid.frequencies.back());
-      const auto above = std::upper_bound(grid.frequencies.begin() + 1, grid.frequencies.end() - 1, held);
-      const auto a = static_cast<std::size_t>(above - grid.frequencies.begin()) - 1;
-      const double u = (held - grid.frequencies[a]) / (grid.frequencies[a + 1] - grid.frequencies[a]);
-      for (std::size_t j = 0; j < sources; ++j)
+      const double upper = (p + 0.5) / parts; // share of the upper node of the old grid
+      const double f = nodes[i] + width * upper;
+      const double held = std::clamp(f, to.frequencies.front(), to.frequencies.back());
+      const auto above = std::upper_bound(to.frequencies.begin() + 1, to.frequencies.end() - 1, held);
+      const auto a = static_cast<std::size_t>(above - to.frequencies.begin()) - 1;
+      const double u = (held - to.frequencies[a]) / (to.frequencies[a + 1] - to.frequencies[a]);
+      for (const auto& [node, share] : { std::make_pair(i, 1.0 - upper), std::make_pair(i + 1, upper) })
       {
-        const double next = j + 1 < from.headings.size() ? from.headings[j + 1] : from.headings[0] + 2.0 * Pi;
-        const double turn = next - from.headings[j];
-        const int steps = std::clamp(static_cast<int>(std::ceil(turn / fineHeading)), 1, 1000);
-        for (int q = 0; q < steps; ++q)
+        const double energy = share * width / parts;
+        axis.whole[node] += energy;
+        axis.inside[node] += held == f ? energy : 0.0;
+        axis.weights[a * nodes.size() + node] += energy * (1.0 - u) / widths[a];
+        axis.weights[(a + 1) * nodes.size() + node] += energy * u / widths[a + 1];
+      }
+    }
+  }
+  return axis;
+}
+
+SpectrumResampler::AxisWeights SpectrumResampler::headingAxis(const SpectralGrid& from, const SpectralGrid& to)
+{
+  const auto& nodes = from.headings;
+  const auto& heads = to.headings;
+  const std::vector<double> widths = to.headingWeights();
+  const bool circle = to.isCircle();
+  const std::size_t pieces = nodes.size() - (from.isCircle() ? 0 : 1);
+  AxisWeights axis;
+  axis.weights.assign(heads.size() * nodes.size(), 0.0);
+  axis.whole.assign(nodes.size(), 0.0);
+  const double fine = 0.25 * *std::min_element(widths.begin(), widths.end());
+  const double first = heads.front();
+  for (std::size_t j = 0; j < pieces; ++j)
+  {
+    const double next = j + 1 < nodes.size() ? nodes[j + 1] : nodes[0] + 2.0 * Pi;
+    const double turn = next - nodes[j];
+    const int steps = std::clamp(static_cast<int>(std::ceil(turn / fine)), 1, 1000);
+    for (int q = 0; q < steps; ++q)
+    {
+      const double upper = (q + 0.5) / steps;
+      const double h = nodes[j] + turn * upper;
+      const double turned = h - 2.0 * Pi * std::floor((h - first) / (2.0 * Pi));
+      const auto above = std::upper_bound(heads.begin(), heads.end(), turned);
+      const std::size_t c = above == heads.begin() ? 0 : static_cast<std::size_t>(above - heads.begin()) - 1;
+      const bool lastOne = c + 1 == heads.size();
+      const std::size_t d = lastOne ? 0 : c + 1;
+      const double end = lastOne ? first + 2.0 * Pi : heads[d];
+      const double v = std::clamp((turned - heads[c]) / (end - heads[c]), 0.0, 1.0);
+      for (const auto& [node, share] :
+        { std::make_pair(j, 1.0 - upper), std::make_pair((j + 1) % nodes.size(), upper) })
+      {
+        const double energy = share * turn / steps;
+        axis.whole[node] += energy;
+        if (!lastOne || circle)
         {
-          const double h = from.headings[j] + turn * (q + 0.5) / steps;
-          const double energy = spectrum.interpolate(f, h) * (width / parts) * (turn / steps);
-          whole += energy;
-          inside += held == f ? energy : 0.0;
-          const double first = grid.headings.front();
-          const double turned = first + (h - first) - 2.0 * Pi * std::floor((h - first) / (2.0 * Pi));
-          const std::size_t c =
-            static_cast<std::size_t>(
-              std::upper_bound(grid.headings.begin(), grid.headings.end(), turned) - grid.headings.begin()) -
-            1;
-          const bool lastOne = c + 1 == grid.headings.size();
-          if (lastOne && !circle)
-          {
-            continue;
-          }
-          const std::size_t d = lastOne ? 0 : c + 1;
-          const double end = lastOne ? first + 2.0 * Pi : grid.headings[d];
-          const double v = (turned - grid.headings[c]) / (end - grid.headings[c]);
-          const std::size_t n = dh.size();
-          result.density[a * n + c] += energy * (1.0 - u) * (1.0 - v) / (df[a] * dh[c]);
-          result.density[a * n + d] += energy * (1.0 - u) * v / (df[a] * dh[d]);
-          result.density[(a + 1) * n + c] += energy * u * (1.0 - v) / (df[a + 1] * dh[c]);
-          result.density[(a + 1) * n + d] += energy * u * v / (df[a + 1] * dh[d]);
+          axis.weights[c * nodes.size() + node] += energy * (1.0 - v) / widths[c];
+          axis.weights[d * nodes.size() + node] += energy * v / widths[d];
         }
+      }
+    }
+  }
+  return axis;
+}
+
+SpectrumResampler::SpectrumResampler(const SpectralGrid& from, const SpectralGrid& to)
+  : To(to)
+{
+  from.validate();
+  to.validate();
+  this->Frequencies = frequencyAxis(from, to);
+  this->Headings = headingAxis(from, to);
+}
+
+std::vector<double> SpectrumResampler::apply(const std::vector<double>& density) const
+{
+  const std::size_t fromF = this->Frequencies.whole.size();
+  const std::size_t fromH = this->Headings.whole.size();
+  const std::size_t toF = this->To.frequencies.size();
+  const std::size_t toH = this->To.headings.size();
+  if (density.size() != fromF * fromH)
+  {
+    throw std::invalid_argument("a spectrum to resample does not have the size of its grid");
+  }
+  std::vector<double> turned(fromF * toH, 0.0);
+  double whole = 0.0;
+  double inside = 0.0;
+  for (std::size_t i = 0; i < fromF; ++i)
+  {
+    double line = 0.0;
+    for (std::size_t j = 0; j < fromH; ++j)
+    {
+      line += this->Headings.whole[j] * density[i * fromH + j];
+    }
+    whole += line * this->Frequencies.whole[i];
+    inside += line * this->Frequencies.inside[i];
+    for (std::size_t k = 0; k < toH && line > 0.0; ++k)
+    {
+      const double* weights = this->Headings.weights.data() + k * fromH;
+      for (std::size_t j = 0; j < fromH; ++j)
+      {
+        turned[i * toH + k] += weights[j] * density[i * fromH + j];
       }
     }
   }
   constexpr double LeastShare = 0.9;
   if (whole > 0.0 && !(inside >= LeastShare * whole))
   {
-    throw std::invalid_argument("the frequencies " + std::to_string(grid.frequencies.front()) + " to " +
-      std::to_string(grid.frequencies.back()) + " Hz hold only " + std::to_string(100.0 * inside / whole) +
+    throw std::invalid_argument("the frequencies " + std::to_string(this->To.frequencies.front()) + " to " +
+      std::to_string(this->To.frequencies.back()) + " Hz hold only " + std::to_string(100.0 * inside / whole) +
       " % of the energy of the sea; widen them so that they hold 90 %");
   }
+  std::vector<double> result(toF * toH, 0.0);
+  for (std::size_t a = 0; a < toF; ++a)
+  {
+    for (std::size_t i = 0; i < fromF; ++i)
+    {
+      const double weight = this->Frequencies.weights[a * fromF + i];
+      for (std::size_t k = 0; k < toH && weight > 0.0; ++k)
+      {
+        result[a * toH + k] += weight * turned[i * toH + k];
+      }
+    }
+  }
   return result;
+}
+
+DirectionalSpectrum resample(const DirectionalSpectrum& spectrum, const SpectralGrid& grid)
+{
+  return { grid, SpectrumResampler(spectrum.grid, grid).apply(spectrum.density) };
 }
 
 std::array<double, 2> energyBand(const DirectionalSpectrum& spectrum, double share)
@@ -324,37 +405,31 @@ std::array<double, 2> energyBand(const DirectionalSpectrum& spectrum, double sha
   return band;
 }
 
-SeaParameters seaParameters(const DirectionalSpectrum& spectrum)
+SeaParameters seaParameters(
+  const std::vector<double>& frequencies, const std::vector<double>& weights, const double* sums)
 {
-  const auto& f = spectrum.grid.frequencies;
-  const std::vector<double> df = spectrum.grid.frequencyWeights();
-  const std::vector<double> dh = spectrum.grid.headingWeights();
-  const std::vector<double> s = spectrum.overFrequency();
   double before = 0.0; // m-1
   double m0 = 0.0;
   double m1 = 0.0;
   double m2 = 0.0;
   double east = 0.0;
   double north = 0.0;
-  for (std::size_t i = 0; i < f.size(); ++i)
+  for (std::size_t i = 0; i < frequencies.size(); ++i)
   {
-    const double energy = s[i] * df[i];
-    before += energy / f[i];
+    const double f = frequencies[i];
+    const double energy = sums[3 * i] * weights[i];
+    before += energy / f;
     m0 += energy;
-    m1 += energy * f[i];
-    m2 += energy * f[i] * f[i];
-    for (std::size_t j = 0; j < dh.size(); ++j)
-    {
-      const double e = spectrum.at(i, j) * df[i] * dh[j];
-      east += e * std::cos(spectrum.grid.headings[j]);
-      north += e * std::sin(spectrum.grid.headings[j]);
-    }
+    m1 += energy * f;
+    m2 += energy * f * f;
+    east += sums[3 * i + 1] * weights[i];
+    north += sums[3 * i + 2] * weights[i];
   }
   SeaParameters parameters;
   parameters.significantHeight = 4.0 * std::sqrt(std::max(m0, 0.0));
   if (m0 > 0.0)
   {
-    parameters.peakPeriod = peakPeriod(f, s);
+    parameters.peakPeriod = peakPeriod(frequencies, sums);
     parameters.meanPeriod01 = m0 / m1;
     parameters.meanPeriod02 = std::sqrt(m0 / m2);
     parameters.energyPeriod = before / m0;
@@ -369,6 +444,25 @@ SeaParameters seaParameters(const DirectionalSpectrum& spectrum)
     parameters.meanDirectionFrom = parameters.spread = none;
   }
   return parameters;
+}
+
+SeaParameters seaParameters(const DirectionalSpectrum& spectrum)
+{
+  const std::vector<double> dh = spectrum.grid.headingWeights();
+  std::vector<double> sums(3 * spectrum.grid.frequencies.size(), 0.0);
+  for (std::size_t j = 0; j < dh.size(); ++j)
+  {
+    const double east = std::cos(spectrum.grid.headings[j]);
+    const double north = std::sin(spectrum.grid.headings[j]);
+    for (std::size_t i = 0; i < spectrum.grid.frequencies.size(); ++i)
+    {
+      const double energy = dh[j] * spectrum.at(i, j);
+      sums[3 * i] += energy;
+      sums[3 * i + 1] += energy * east;
+      sums[3 * i + 2] += energy * north;
+    }
+  }
+  return seaParameters(spectrum.grid.frequencies, spectrum.grid.frequencyWeights(), sums.data());
 }
 
 }

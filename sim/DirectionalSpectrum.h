@@ -78,10 +78,39 @@ struct DirectionalSpectrum
 };
 
 /**
- * The same sea on another grid. Its energy is kept, and the integral of f E, but for what lies outside of the
- * grid: that share of the energy is dealt to its ends.
- * @throws std::invalid_argument on a bad grid, or where less than 90 % of the energy lies within its frequencies
+ * Brings seas from one grid to another, as often as wanted. Their energy is kept, and the integral of f E, but for what
+ * lies outside of the grid: that share of the energy is dealt to its ends.
  */
+class SpectrumResampler
+{
+public:
+  /** @throws std::invalid_argument on a bad grid */
+  SpectrumResampler(const SpectralGrid& from, const SpectralGrid& to);
+
+  /**
+   * @param density on the first grid
+   * @return on the second
+   * @throws std::invalid_argument where less than 90 % of the energy lies within its frequencies
+   */
+  std::vector<double> apply(const std::vector<double>& density) const;
+
+private:
+  // Weights of the values at the nodes of one axis in those of another: rows are the new nodes.
+  struct AxisWeights
+  {
+    std::vector<double> weights;
+    std::vector<double> whole;  // what each old node holds
+    std::vector<double> inside; // and how much of it lies within the new axis
+  };
+  static AxisWeights frequencyAxis(const SpectralGrid& from, const SpectralGrid& to);
+  static AxisWeights headingAxis(const SpectralGrid& from, const SpectralGrid& to);
+
+  SpectralGrid To;
+  AxisWeights Frequencies;
+  AxisWeights Headings;
+};
+
+/** The same sea on another grid (SpectrumResampler). */
 DirectionalSpectrum resample(const DirectionalSpectrum& spectrum, const SpectralGrid& grid);
 
 /** Frequencies between which this share of the energy lies, the same below and above, Hz. */
@@ -92,5 +121,14 @@ std::array<double, 2> energyBand(const DirectionalSpectrum& spectrum, double sha
  * The periods are NaN where there is no energy.
  */
 SeaParameters seaParameters(const DirectionalSpectrum& spectrum);
+
+/**
+ * The same of the sums of a spectrum over its headings.
+ * @param frequencies Hz, as in a SpectralGrid, n
+ * @param weights of the frequencies, Hz, n
+ * @param sums the integrals of E, E cos(heading) and E sin(heading) over the headings, m2/Hz: 3 n, frequency by frequency
+ */
+SeaParameters seaParameters(
+  const std::vector<double>& frequencies, const std::vector<double>& weights, const double* sums);
 
 }

@@ -26,6 +26,9 @@ struct SeaState
   FrequencySpectrum spectrum() const;
 };
 
+/** Directions of a sea offshore: twice the usual ones of rays, as refraction gathers many of them into few at the shore. */
+constexpr std::size_t OffshoreDirections = 72;
+
 /**
  * Frequencies on which a sea is transformed: in geometric progression over the band that holds 99.5 % of its energy.
  * @param count >= 2

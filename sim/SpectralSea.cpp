@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 
@@ -43,26 +44,30 @@ bool saturate(DirectionalSpectrum& spectrum, double depth, double gamma)
   return true;
 }
 
-std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralSeaOptions& options,
-  const DirectionalSpectrum& offshore, const std::vector<glm::dvec2>& places, const Execution& execution,
+namespace
+{
+
+// Seas at so many places; `originsOf` gives the origins of one, on any thread.
+std::vector<PlaceSea> transformPlaces(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,
+  std::size_t count, const std::function<SpectralOrigins(std::size_t)>& originsOf, const Execution& execution,
   std::vector<DirectionalSpectrum>* spectra)
 {
   options.validate();
-  std::vector<PlaceSea> result(places.size());
+  std::vector<PlaceSea> result(count);
   for (PlaceSea& sea : result)
   {
     sea.parameters = unknownSea();
   }
   if (spectra)
   {
-    spectra->assign(places.size(), DirectionalSpectrum());
+    spectra->assign(count, DirectionalSpectrum());
   }
   // Batches between which progress is told; small ones, as a place is long work.
-  const std::size_t batches = std::clamp<std::size_t>(places.size() / 16, 1, 200);
+  const std::size_t batches = std::clamp<std::size_t>(count / 16, 1, 200);
   for (std::size_t batch = 0; batch < batches; ++batch)
   {
-    const std::size_t first = places.size() * batch / batches;
-    const std::size_t last = places.size() * (batch + 1) / batches;
+    const std::size_t first = count * batch / batches;
+    const std::size_t last = count * (batch + 1) / batches;
     execution.forRange(last - first,
       [&](std::size_t begin, std::size_t end)
       {
@@ -70,13 +75,13 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
         for (std::size_t i = first + begin; i < first + end; ++i)
         {
           PlaceSea& sea = result[i];
-          const std::vector<SpectralOrigins> origins = traceOrigins(tracer, options.rays, { places[i] });
-          sea.depth = origins[0].depth;
-          if (origins[0].headings.empty())
+          const SpectralOrigins origins = originsOf(i);
+          sea.depth = origins.depth;
+          if (origins.headings.empty())
           {
             continue;
           }
-          SpectralTransfer(options.rays, offshore.grid, origins[0]).apply(offshore.density, spectrum);
+          SpectralTransfer(options.rays, offshore.grid, origins).apply(offshore.density, spectrum);
           sea.breaking = options.gamma && saturate(spectrum, sea.depth, *options.gamma);
           sea.known = true;
           sea.parameters = seaParameters(spectrum);
@@ -92,6 +97,24 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
     }
   }
   return result;
+}
+
+}
+
+std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralSeaOptions& options,
+  const DirectionalSpectrum& offshore, const std::vector<glm::dvec2>& places, const Execution& execution,
+  std::vector<DirectionalSpectrum>* spectra)
+{
+  return transformPlaces(
+    options, offshore, places.size(),
+    [&](std::size_t i) { return traceOrigins(tracer, options.rays, { places[i] }).front(); }, execution, spectra);
+}
+
+std::vector<PlaceSea> transformSea(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,
+  const std::vector<SpectralOrigins>& origins, const Execution& execution, std::vector<DirectionalSpectrum>* spectra)
+{
+  return transformPlaces(
+    options, offshore, origins.size(), [&](std::size_t i) { return origins[i]; }, execution, spectra);
 }
 
 }

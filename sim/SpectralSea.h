@@ -46,6 +46,14 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
   const DirectionalSpectrum& offshore, const std::vector<glm::dvec2>& places, const Execution& execution = {},
   std::vector<DirectionalSpectrum>* spectra = nullptr);
 
+/**
+ * The same from places that were traced before.
+ * @param origins from traceOrigins() with these rays
+ */
+std::vector<PlaceSea> transformSea(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,
+  const std::vector<SpectralOrigins>& origins, const Execution& execution = {},
+  std::vector<DirectionalSpectrum>* spectra = nullptr);
+
 /** Scale the spectrum down where its Hs is above gamma h. @return true where it is */
 bool saturate(DirectionalSpectrum& spectrum, double depth, double gamma);
 

@@ -280,8 +280,9 @@ vtkPolyData* Pipeline::makeSurface(double time)
 std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
-  for (const std::string& file : { request.seafloor.source, request.rays.current, request.rays.obstacles,
-         request.render.rays, request.render.crests, request.map.stations, request.map.waterLevels })
+  for (const std::string& file :
+    { request.seafloor.source, request.rays.current, request.rays.obstacles, request.render.rays, request.render.crests,
+      request.map.stations, request.map.waterLevels, request.spectrum.boundary, request.spectrum.series })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))

@@ -85,9 +85,12 @@ struct SpectrumRequest
   double spread = 25.0; ///< degrees
   SpectrumShape shape = SpectrumShape::Jonswap;
   double peakedness = StandardPeakedness;
-  std::optional<double> wind;  ///< m/s
-  std::optional<double> fetch; ///< m
-  std::string boundary;        ///< spectral file; empty: none
+  std::optional<double> wind;                          ///< m/s
+  std::optional<double> fetch;                         ///< m
+  std::string boundary;                                ///< spectral file; empty: none
+  std::string series;                                  ///< file of seas in time; empty: none
+  std::string transfer;                                ///< file that keeps the rays; empty: none
+  std::optional<std::array<double, 2>> frequencyRange; ///< Hz; none: from the sea
   int frequencies = 20;
   int directions = 36;
   int raysPerDirection = 1;
@@ -153,7 +156,7 @@ struct OutputRequest
   std::string crests;
   std::string breakerLine;
   std::string map;
-  std::string table;   ///< waves at the stations
+  std::string table;      ///< waves at the stations
   std::string spectra; ///< spectra at the stations
   bool compress = false;
   bool points = false; ///< in a .gpkg the points of lines too

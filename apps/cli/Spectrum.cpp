@@ -6,9 +6,11 @@
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
+#include "SeaSeries.h"
 #include "StationTable.h"
 
 #include "bathymetry/SpectrumFile.h"
+#include "bathymetry/TransferFile.h"
 
 #include <fmt/format.h>
 
@@ -68,6 +70,45 @@ void setUp(vtkSwellSpectralMap* filter, const Request& request)
     filter->SetShoreNormal(*request.rays.trace.shoreNormal);
   }
   filter->SetCurrent(request.rays.current.empty() ? nullptr : request.rays.current.c_str());
+  filter->SetTransferFileName(sea.transfer.empty() ? nullptr : sea.transfer.c_str());
+  if (sea.frequencyRange)
+  {
+    filter->SetFrequencyRange((*sea.frequencyRange)[0], (*sea.frequencyRange)[1]);
+  }
+}
+
+// What a series does not say itself.
+SeaState formOf(const Request& request)
+{
+  SeaState form;
+  form.shape = request.spectrum.shape;
+  form.peakedness = request.spectrum.peakedness;
+  form.spread = request.spectrum.spread;
+  form.depth = request.rays.wave.offshoreDepth;
+  form.gravity = request.rays.wave.gravity;
+  return form;
+}
+
+// The rays of a series hold all of its seas; the filter itself needs one of them.
+void setUp(vtkSwellSpectralMap* filter, const SeaSeries& series, const Request& request)
+{
+  if (!request.spectrum.frequencyRange)
+  {
+    const std::array<double, 2> band = series.band();
+    filter->SetFrequencyRange(band[0], band[1]);
+  }
+  if (const std::optional<SeaState> first = series.firstState())
+  {
+    filter->SetSignificantHeight(first->height);
+    filter->SetPeakPeriod(first->peakPeriod);
+    filter->SetDirectionFrom(first->directionFrom);
+    filter->SetSpread(first->spread);
+  }
+  else
+  {
+    filter->SetBoundaryFileName(request.spectrum.series.c_str());
+  }
+  filter->KeepTransferOn();
 }
 
 // Nodes over the seafloor, at the spacing asked for or so that there are not too many.
@@ -183,6 +224,12 @@ void runSpectrum(const Request& request, Console& console)
 
   vtkNew<vtkSwellSpectralMap> filter;
   setUp(filter, request);
+  std::optional<SeaSeries> series;
+  if (!sea.series.empty())
+  {
+    series.emplace(sea.series, formOf(request));
+    setUp(filter, *series, request);
+  }
   filter->SetInputData(1, seafloor);
   bool said = false;
   const auto run = [&](vtkDataSet* places, const char* task)
@@ -191,6 +238,11 @@ void runSpectrum(const Request& request, Console& console)
     filter->SetInputData(0, places);
     runFilter(filter, task, console);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+    if (series)
+    {
+      console.say(fmt::format("traced   {:.3g} s", seconds.count()));
+      return;
+    }
     if (!said)
     {
       saySea(filter->GetOutputDataObject(0), sea, console);
@@ -203,7 +255,16 @@ void runSpectrum(const Request& request, Console& console)
     const auto places = stations->places(scene);
     filter->SetKeepSpectra(spectraFile != nullptr);
     run(places, "stations");
-    if (tableFile)
+    if (series)
+    {
+      const TransferTable& table = filter->GetTransferTable();
+      const std::optional<double> gamma = sea.breaks ? std::optional<double>(sea.gamma) : std::nullopt;
+      const SeriesOutcome outcome =
+        writeSeaSeries(*series, table.rays, table.places, gamma, *stations, *tableFile, console);
+      console.say(
+        fmt::format("series   {} times at {} stations in {:.3g} s", series->size(), stations->size(), outcome.seconds));
+    }
+    else if (tableFile)
     {
       stations->write(filter->GetOutput()->GetPointData(),
         { "Depth", "SignificantWaveHeight", "PeakPeriod", "MeanPeriod", "ZeroCrossingPeriod", "EnergyPeriod",
@@ -259,15 +320,24 @@ void checkSpectrum(Request& request)
     throw UsageError("--map-spacing needs --map FILE");
   }
   const bool byHeight = sea.height || sea.peakPeriod;
-  if (byHeight + sea.wind.has_value() + !sea.boundary.empty() != 1)
+  if (byHeight + sea.wind.has_value() + !sea.boundary.empty() + !sea.series.empty() != 1)
   {
-    throw UsageError("the sea offshore is given in one of three ways: --hs and --tp, or --wind, or --boundary FILE");
+    throw UsageError("the sea offshore is given in one of four ways: --hs and --tp, or --wind, or --boundary FILE, or "
+                     "--series FILE");
+  }
+  if (!sea.series.empty() && (output.table.empty() || !output.map.empty() || !output.spectra.empty()))
+  {
+    throw UsageError("--series makes a table in time: give --stations and --table, and no other output");
+  }
+  if (!sea.transfer.empty() && (sea.transfer == output.map || sea.transfer == output.spectra))
+  {
+    throw UsageError("--transfer and another output name the same file; give two");
   }
   if (byHeight && !(sea.height && sea.peakPeriod))
   {
     throw UsageError(sea.height ? "--hs needs --tp S" : "--tp needs --hs M");
   }
-  if (sea.boundary.empty() && !sea.directionFrom)
+  if (sea.boundary.empty() && sea.series.empty() && !sea.directionFrom)
   {
     throw UsageError("spectrum needs --direction DEG");
   }
@@ -279,6 +349,22 @@ void checkSpectrum(Request& request)
   {
     throw UsageError("--shape tma needs --offshore-depth M, the depth in which it holds");
   }
+}
+
+OptionSpec frequencyRangeOption(SpectrumRequest& sea)
+{
+  OptionSpec spec{ "--frequency-range", "F0,F1", "lowest and highest frequency of the rays, Hz",
+    "the band that holds 99.5 % of the energy", "Rays", false, {} };
+  spec.set = [&sea](const std::string& typed)
+  {
+    const auto values = parseNumbers("--frequency-range", typed, { "Hz", 0.0, 1e3, true });
+    if (values.size() != 2 || !(values[0] < values[1]))
+    {
+      throw UsageError(fmt::format("--frequency-range needs F0,F1 with F0 < F1, not '{}'", typed));
+    }
+    sea.frequencyRange = { values[0], values[1] };
+  };
+  return spec;
 }
 
 OptionSpec whole(const char* name, const char* help, const char* standard, int& target, int least, int most)
@@ -307,6 +393,9 @@ std::vector<OptionSpec> seaOptions(SpectrumRequest& sea)
     number("--wind", "M/S", "the sea of this wind at 10 m height, m/s", "", group, sea.wind, Winds),
     number("--fetch", "M", "fetch of the wind, m", "without end", group, sea.fetch, PositiveMetres),
     text("--boundary", "FILE", "the sea of a spectral file (SWAN .bnd, .sp1, .sp2)", "", group, sea.boundary),
+    text("--series", "FILE",
+      "seas in time: .csv with time, hs, tp, direction, and spread if it varies, or a spectral file", "", group,
+      sea.series),
   };
 }
 
@@ -326,8 +415,12 @@ CommandSpec spectrumSpec(Request& request)
       PositiveMetres),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
   add(spec.options, seaOptions(sea));
+  OptionSpec transfer = outputFile(
+    "--transfer", "keep the rays in this file, and take from it those that it has, .nc", sea.transfer, { ".nc" });
+  transfer.group = "Rays";
   add(spec.options,
-    { whole(
+    { transfer, frequencyRangeOption(sea),
+      whole(
         "--frequencies", "frequencies over the band that holds 99.5 % of the energy", "20", sea.frequencies, 2, 1000),
       whole("--directions", "directions around the circle", "36", sea.directions, 4, 3600),
       whole("--rays-per-direction", "rays back from each place in each direction", "1", sea.raysPerDirection, 1, 100),
@@ -346,6 +439,7 @@ CommandSpec spectrumSpec(Request& request)
     "  swellray spectrum harbour.tif --hs 2.5 --tp 11 --direction 240 --spread 20 --map sea.nc\n"
     "  swellray spectrum harbour.tif --wind 15 --fetch 80000 --direction 270 --stations buoys.csv --table sea.csv\n"
     "  swellray spectrum estuary.swn --boundary west.bnd --stations buoys.csv --table sea.csv --spectra sea.sp2\n"
+    "  swellray spectrum harbour.tif --series hindcast.csv --transfer rays.nc --stations buoys.csv --table sea.csv\n"
     "  swellray spectrum plane --hs 1 --tp 8 --direction 60 --map sea.vti --rays-per-direction 3\n";
   spec.check = checkSpectrum;
   spec.run = runSpectrum;

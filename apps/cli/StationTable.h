@@ -34,6 +34,9 @@ public:
 
   std::size_t size() const { return this->Stations.size(); }
 
+  /** A point as it stands in the file. */
+  const std::string& line(std::size_t i) const { return this->Stations[i].line; }
+
   /** Heading of a table with these columns after the points' own. */
   std::string heading(const std::vector<std::string>& columns) const;
 

@@ -1,5 +1,6 @@
 #include "Observers.h"
 
+#include "bathymetry/TransferFile.h"
 #include "sim/Angles.h"
 #include "sim/DirectionalSpectrum.h"
 #include "sim/Dispersion.h"
@@ -9,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkCallbackCommand.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -19,6 +21,7 @@
 #include <vtkSMPTools.h>
 
 #include <cmath>
+#include <filesystem>
 
 namespace
 {
@@ -154,6 +157,74 @@ TEST(SpectralMap, IsTheSameForAnyNumberOfThreads)
   scene.Map->Update();
   EXPECT_EQ(scene.value("SignificantWaveHeight"), alone);
   vtkSMPTools::Initialize();
+}
+
+TEST(SpectralMap, KeepsItsRaysInAFile)
+{
+  const std::string file = (std::filesystem::path(testing::TempDir()) / "spectral_map.nc").string();
+  std::filesystem::remove(file);
+  Scene scene;
+  scene.Map->Update();
+  const double alone = scene.value("SignificantWaveHeight", 1);
+  scene.Map->SetTransferFileName(file.c_str());
+  scene.Map->Update();
+  EXPECT_EQ(scene.value("SignificantWaveHeight", 1), alone);
+  EXPECT_EQ(scene.Map->GetTransferTable().places.size(), 3u);
+  ASSERT_TRUE(std::filesystem::exists(file));
+
+  // Another sea along the same rays, and a place more.
+  Scene other;
+  other.Map->SetInputData(0, pointsAt({ { 50.0, 0.0 }, { 700.0, 10.0 } }));
+  other.Map->SetTransferFileName(file.c_str());
+  other.Map->SetSignificantHeight(2.0);
+  other.Map->Update();
+  // Read back, directions have been degrees: they agree to rounding.
+  constexpr double ReadBack = 1e-9;
+  EXPECT_NEAR(other.value("SignificantWaveHeight", 0), 2.0 * alone, ReadBack);
+  EXPECT_EQ(swellray::readTransferTable(file).places.size(), 4u);
+
+  // The bed counts by its values.
+  vtkNew<Listener> listener;
+  listener->listenTo(other.Map);
+  listener->listenTo(other.Map->GetExecutive());
+  other.Reader->SetFileName("plane:slope=0.021,x0=-100,x1=4000,y0=-20000,y1=20000");
+  other.Map->Update();
+  ASSERT_FALSE(listener->Errors.empty());
+  EXPECT_NE(listener->Errors.front().find("belongs to another scene: it has seafloor"), std::string::npos);
+}
+
+TEST(SpectralMap, AnAbortKeepsWhatIsTraced)
+{
+  const std::string file = (std::filesystem::path(testing::TempDir()) / "aborted.nc").string();
+  std::filesystem::remove(file);
+  Scene scene;
+  std::vector<std::array<double, 2>> places;
+  for (int i = 0; i < 200; ++i)
+  {
+    places.push_back({ 20.0 + i, 0.0 });
+  }
+  scene.Map->SetInputData(0, pointsAt(places));
+  scene.Map->SetNumberOfFrequencies(3);
+  scene.Map->SetNumberOfDirections(8);
+  scene.Map->SetTransferFileName(file.c_str());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* filter = static_cast<vtkAlgorithm*>(caller);
+      filter->SetAbortExecute(filter->GetProgress() > 0.5);
+    });
+  const unsigned long tag = scene.Map->AddObserver(vtkCommand::ProgressEvent, stop);
+  scene.Map->Update();
+  EXPECT_EQ(scene.Map->GetOutput()->GetNumberOfPoints(), 0);
+  const std::size_t kept = swellray::readTransferTable(file).places.size();
+  EXPECT_GT(kept, 0u);
+  EXPECT_LT(kept, 200u);
+  scene.Map->RemoveObserver(tag);
+  scene.Map->Modified();
+  scene.Map->Update();
+  EXPECT_EQ(scene.Map->GetOutput()->GetNumberOfPoints(), 200);
+  EXPECT_EQ(swellray::readTransferTable(file).places.size(), 200u);
 }
 
 TEST(SpectralMap, SaysWhatIsWrong)
