@@ -107,8 +107,13 @@ CommandSpec viewSpec(Request& request)
   OptionSpec size{ "--size", "WxH", "size of the window, pixels", "1280x800", "Window", false, {} };
   size.set = [&view](const std::string& typed) { view.size = parseSize("--size", typed); };
   spec.options = { size };
-  for (OptionSpec& option : waveOptions(request.rays.wave, request.rays.wanted, false))
+  for (OptionSpec& option : waveOptions(request.rays, false))
   {
+    // The compass turns plane waves.
+    if (option.name == "--from-storm" || option.name == "--from-point")
+    {
+      continue;
+    }
     if (option.name == "--direction" || option.name == "--height")
     {
       const auto set = option.set;
@@ -117,6 +122,10 @@ CommandSpec viewSpec(Request& request)
         set(typed);
         view.partial = true;
       };
+    }
+    if (option.name == "--direction")
+    {
+      option.help = "where the waves come from, degrees clockwise from north";
     }
     if (option.name == "--period" || option.name == "--direction" || option.name == "--height")
     {

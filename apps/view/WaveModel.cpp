@@ -29,7 +29,7 @@ constexpr double FirstRays = 100.0;
 constexpr double CoarseTolerance = 1e-6;
 constexpr double CoarseFronts = 2.0; // a wavelength
 
-// Crests break and rays count as far from a place where their neighbours are this many times the threshold apart.
+// A ray that is further from a place than so many times the threshold of insertion did not come there.
 constexpr double GapOverMaxSpacing = 2.0;
 
 double fieldNumber(vtkDataObject* data, const char* name)
@@ -106,6 +106,7 @@ WaveModel::WaveModel(const Setup& setup)
   this->Tracer->SetInputData(this->Seafloor);
   this->Tracer->LongitudeLatitudeOff();
   this->Heights->SetInputConnection(this->Tracer->GetOutputPort());
+  this->Crests->MaxGapOfRaysOn();
   this->Sea->SetInputData(1, this->Seafloor);
   this->Foam->SetInputConnection(this->Sea->GetOutputPort());
   this->Stations->SetInputData(1, this->Seafloor);
@@ -298,7 +299,6 @@ TracedWaves WaveModel::trace(const WaveControls& controls, int coarseness)
   this->FinestSpacing = fieldNumber(waves.rays, "LaunchSpacing") / coarseness;
   this->Steps.learn(coarseness, waves.seconds);
   this->Crests->SetInputData(waves.rays);
-  this->Crests->SetMaxGap(GapOverMaxSpacing * fieldNumber(waves.rays, "MaxSpacing"));
   if (this->run(this->Crests).empty())
   {
     waves.crests = copyOf(this->Crests->GetOutput());
