@@ -1,7 +1,7 @@
 # %% [markdown]
 # # Hawaii
 #
-# Swell from the Southern Ocean arriving at the Hawaiian islands, on the ellipsoid, as `run` does it with the program. The
+# Swell of a storm in the Southern Ocean arriving at the Hawaiian islands, on the ellipsoid, as `run` does it with the program. The
 # grid, sites/hawaii_islands/hawaii_etopo1.nc, is no part of Swellray: it is looked for in SWELLRAY_DATA. The cells are
 # marked by `# %%`; `python3 hawaii.py FOLDER` runs them all.
 
@@ -28,7 +28,7 @@ print(islands.report)
 # ## Rays
 
 # %%
-rays = islands.trace(period=16, direction=200.9, height=2, edge="none", spacing=8000, lee_rays=False)
+rays = islands.trace(period=16, from_storm=(170, -50), height=2, edge="none", spacing=8000, lee_rays=False)
 print(rays)
 print(f"{numpy.count_nonzero(rays['EndReason'] == 3)} rays aground")
 rays.write(folder / "ellipsoid.vtp")

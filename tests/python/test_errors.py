@@ -41,6 +41,10 @@ class Errors(FolderCase):
             self.seafloor.trace(**WAVE, perid=3)
         with self.assertRaisesRegex(TypeError, "direction with hs and tp"):
             self.seafloor.spectrum(hs=1.0, direction=270.0)
+        with self.assertRaisesRegex(TypeError, "one of direction, from_storm and from_point"):
+            self.seafloor.trace(**WAVE, from_storm=(170, -50))
+        with self.assertRaisesRegex(TypeError, "one of direction, from_storm and from_point"):
+            self.seafloor.trace(period=8, height=1)
         with self.assertRaisesRegex(ValueError, r"\(n, 2\)"):
             self.seafloor.to_scene([1.0, 2.0, 3.0, 4.0])
 

@@ -13,7 +13,7 @@ ELSEWHERE = {
     "trace": {"output", "crests", "breaker_line", "map", "stations", "table", "water_levels", "compress", "points",
               "map_spacing", "combine", "method", "dispersion", "node_spacing", "min_depth", "coast_reflection",
               "side_walls", "max_memory", "dry_run"},
-    "spectrum": {"map", "table", "spectra", "map_spacing", "compress"},
+    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series"},
     "contour": {"output", "compress", "points"},
     "surface": {"output", "compress", "times"},
 }
@@ -79,7 +79,8 @@ class Options(unittest.TestCase):
         for function, kinds, elsewhere in (
             (swellray.Seafloor.read, [swellray.vtkSwellSeafloorReader], set()),
             (swellray.Seafloor.contours, [swellray.vtkSwellContours], {"levels"}),
-            (swellray.Seafloor.trace, [swellray.vtkSwellRayTracer, swellray.vtkSwellWaveHeight], set()),
+            (swellray.Seafloor.trace, [swellray.vtkSwellRayTracer, swellray.vtkSwellWaveHeight],
+             {"from_storm", "from_point"}),
             (swellray.Seafloor.mild_slope, [swellray.vtkSwellMildSlope], {"stations"}),
             (swellray.Seafloor.spectrum, [swellray.vtkSwellSpectralMap], {"stations", "spacing", "breaking"}),
             (swellray.Rays.heights, [swellray.vtkSwellWaveHeight], set()),

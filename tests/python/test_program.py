@@ -53,6 +53,11 @@ class SameAsProgram(FolderCase):
             caustics="cap", kr_max=2, amplitude="tube", friction=0.01, steps_per_wave=4)
         self.assert_same(rays, path)
 
+    def test_rays_of_a_point(self):
+        path = self.folder / "rays.vtp"
+        program("trace", "babbage", "--period", 6, "--height", 0.8, "--from-point", "500,3000", "--quiet", "-o", path)
+        self.assert_same(self.seafloor.trace(period=6, height=0.8, from_point=(500, 3000)), path)
+
     def test_contours(self):
         path = self.folder / "contours.vtp"
         program("contour", "babbage", "--levels", "2,5", "-o", path, "--quiet")
@@ -93,6 +98,16 @@ class SameAsProgram(FolderCase):
         expected = swellray.Map(read_vtk(path))
         numpy.testing.assert_array_equal(sea["SignificantWaveHeight"], expected["SignificantWaveHeight"])
         numpy.testing.assert_array_equal(sea["MeanDirectionFrom"], expected["MeanDirectionFrom"])
+
+    def test_seas_of_kept_rays(self):
+        rays = self.folder / "rays.nc"
+        keywords = {"direction": 15, "stations": [[500, 700]], "frequency_range": (0.08, 0.4), "frequencies": 8,
+                    "transfer": rays}
+        first = self.seafloor.spectrum(hs=0.8, tp=6, **keywords)
+        written = rays.stat().st_mtime_ns
+        again = self.seafloor.spectrum(hs=0.8, tp=6, **keywords)
+        self.assertEqual(rays.stat().st_mtime_ns, written)
+        numpy.testing.assert_array_equal(first["SignificantWaveHeight"], again["SignificantWaveHeight"])
 
     def test_mild_slope(self):
         path, table, points = (self.folder / name for name in ("map.vti", "table.csv", "points.csv"))

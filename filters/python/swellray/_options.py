@@ -28,6 +28,7 @@ _PROPERTIES = {
     "profile": "Section",
     "source": "FileName",
     "tp": "PeakPeriod",
+    "transfer": "TransferFileName",
 }
 
 # Words in the order of the filters' enumerations.

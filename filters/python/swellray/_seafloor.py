@@ -129,7 +129,7 @@ class Seafloor(Map):
         run(algorithm)
         return Lines(output_of(algorithm))
 
-    def trace(self, *, period, direction, height, offshore_depth=None, gravity=None, spacing=None, max_spacing=None,
+    def trace(self, *, period, height, direction=None, from_storm=None, from_point=None, offshore_depth=None, gravity=None, spacing=None, max_spacing=None,
               steps_per_wave=None, step=None, scheme="ode", tolerance=None, flat_height=None, insert="retrace",
               lee_rays=True, edge="contours", shore_normal=None, aground_depth=None, max_rays=None, max_fronts=None,
               current=None, obstacles=None, reflection=None, max_reflections=None, amplitude="spacing",
@@ -138,8 +138,12 @@ class Seafloor(Map):
 
         The incident wave
         period: s
+        height: offshore, crest to trough, m; from a storm or a point where the wave first meets the scene
+        One of
         direction: where the waves come from, degrees clockwise from north, -360 to 360
-        height: offshore, crest to trough, m
+        from_storm: (longitude, latitude) of a storm far away, degrees
+        from_point: (x, y) of a point of the plane, in the coordinates of the seafloor's file
+        and
         offshore_depth: depth in which height and direction are given, m; default: deep water
         gravity: m/s2; default 9.81
 
@@ -174,8 +178,16 @@ class Seafloor(Map):
 
         Raises Error with the line that says what is wrong; warns with Notice, as where the grid is too coarse.
         """
-        tracer = configure(
-            filters.vtkSwellRayTracer(), period=period, direction=direction, height=height,
+        if sum(source is not None for source in (direction, from_storm, from_point)) != 1:
+            raise TypeError("trace() needs one of direction, from_storm and from_point")
+        tracer = filters.vtkSwellRayTracer()
+        for place, kind in ((from_storm, tracer.STORM), (from_point, tracer.POINT)):
+            if place is not None:
+                x, y = place
+                tracer.SetSource(kind)
+                tracer.SetSourcePosition(float(x), float(y))
+        configure(
+            tracer, period=period, direction=direction, height=height,
             offshore_depth=offshore_depth, gravity=gravity, water_level=self.water_level, spacing=spacing,
             max_spacing=max_spacing, steps_per_wave=steps_per_wave, step=step, scheme=scheme, tolerance=tolerance,
             flat_height=flat_height, insert=insert, lee_rays=lee_rays, edge=edge, shore_normal=shore_normal,
@@ -223,8 +235,9 @@ class Seafloor(Map):
 
     def spectrum(self, *, direction=None, hs=None, tp=None, spread=25.0, shape="jonswap", peakedness=None, wind=None,
                  fetch=None, boundary=None, stations=None, coordinates="file", spacing=None, frequencies=20,
-                 directions=36, rays_per_direction=1, tolerance=None, edge="contours", shore_normal=None, current=None,
-                 offshore_depth=None, gravity=None, breaking=True, gamma=None, friction=None, progress=None):
+                 directions=36, rays_per_direction=1, frequency_range=None, transfer=None, tolerance=None,
+                 edge="contours", shore_normal=None, current=None, offshore_depth=None, gravity=None, breaking=True,
+                 gamma=None, friction=None, progress=None):
         """A sea from offshore: SignificantWaveHeight (m), PeakPeriod, MeanPeriod, ZeroCrossingPeriod, EnergyPeriod (s),
         MeanDirectionFrom, DirectionalSpread (degrees), Depth (m), Breaking; a Map, or Stations where these are given.
 
@@ -242,6 +255,8 @@ class Seafloor(Map):
         stations: (n, 2) places in the given coordinates (see Rays.stations())
         spacing: of the nodes of the map, m; default: some 2,500 nodes
         frequencies, directions, rays_per_direction: rays back from each place
+        frequency_range: (lowest, highest) of the rays, Hz; default: the band that holds 99.5 % of the energy
+        transfer: keep the rays in this file (.nc), and take from it those that it has: other seas cost little then
         breaking: limit the heights by the depth
         gamma: largest Hs over depth; default 0.6
         friction: bottom friction coefficient, m2/s3 (0.038: swell over sand); default 0
@@ -252,7 +267,8 @@ class Seafloor(Map):
         algorithm = configure(
             filters.vtkSwellSpectralMap(), direction=direction, hs=hs, tp=tp, spread=spread, shape=shape,
             peakedness=peakedness, wind=wind, fetch=fetch, boundary=boundary, frequencies=frequencies,
-            directions=directions, rays_per_direction=rays_per_direction, tolerance=tolerance, edge=edge,
+            directions=directions, rays_per_direction=rays_per_direction, frequency_range=frequency_range,
+            transfer=transfer, tolerance=tolerance, edge=edge,
             shore_normal=shore_normal, current=current, offshore_depth=offshore_depth, gravity=gravity,
             gamma=gamma if breaking else 0.0, friction=friction, water_level=self.water_level)
         places = self._nodes(spacing) if stations is None else self.places(stations, coordinates)
