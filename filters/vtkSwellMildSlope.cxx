@@ -204,7 +204,7 @@ int vtkSwellMildSlope::RequestData(
     wave.period = this->Period;
     wave.directionFrom = this->DirectionFrom;
     wave.height = this->WaveHeight;
-    wave.offshoreDepth = this->OffshoreDepth;
+    wave.offshoreDepth = unlessZero(this->OffshoreDepth).value_or(std::numeric_limits<double>::infinity());
     wave.gravity = this->Gravity;
 
     swellray::MildSlopeOptions options;

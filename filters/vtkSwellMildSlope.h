@@ -77,7 +77,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth in which direction and height hold, m; > 0, default infinity: deep water. */
+  /** Depth in which direction and height hold, m; > 0, default infinity: deep water, as is 0. */
   vtkSetMacro(OffshoreDepth, double);
   vtkGetMacro(OffshoreDepth, double);
   ///@}

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -208,7 +209,7 @@ int vtkSwellRayTracer::RequestData(
     wave.period = this->Period;
     wave.directionFrom = this->DirectionFrom;
     wave.height = this->WaveHeight;
-    wave.offshoreDepth = this->OffshoreDepth;
+    wave.offshoreDepth = unlessZero(this->OffshoreDepth).value_or(std::numeric_limits<double>::infinity());
     wave.gravity = this->Gravity;
     wave.validate();
 

@@ -23,6 +23,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <exception>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -113,6 +114,8 @@ int vtkSwellSpectralMap::RequestData(
         std::to_string(this->NumberOfDirections) + ") and 1 or more rays a direction (not " +
         std::to_string(this->RaysPerDirection) + ")");
     }
+    const double offshoreDepth =
+      this->OffshoreDepth != 0.0 ? this->OffshoreDepth : std::numeric_limits<double>::infinity();
     swellray::SeaState state;
     state.shape = static_cast<swellray::SpectrumShape>(this->Shape);
     state.height = this->SignificantHeight;
@@ -120,7 +123,7 @@ int vtkSwellSpectralMap::RequestData(
     state.directionFrom = this->DirectionFrom;
     state.spread = this->Spread;
     state.peakedness = this->Peakedness;
-    state.depth = this->OffshoreDepth;
+    state.depth = offshoreDepth;
     state.gravity = this->Gravity;
     state.wind = this->Wind != 0.0 ? std::optional<double>(this->Wind) : std::nullopt;
     state.fetch = this->Fetch != 0.0 ? std::optional<double>(this->Fetch) : std::nullopt;
@@ -162,7 +165,7 @@ int vtkSwellSpectralMap::RequestData(
     backward.waterLevel = this->WaterLevel;
     backward.gravity = this->Gravity;
     backward.tolerance = this->Tolerance;
-    backward.offshoreDepth = this->OffshoreDepth;
+    backward.offshoreDepth = offshoreDepth;
     backward.edge = static_cast<swellray::EdgeRule>(this->Edge);
     backward.shoreNormal = this->UseShoreNormal ? std::optional<double>(this->ShoreNormal) : std::nullopt;
     backward.friction = this->Friction;

@@ -162,7 +162,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth in which the sea offshore is given, m; > 0, default infinity: deep water. */
+  /** Depth in which the sea offshore is given, m; > 0, default infinity: deep water, as is 0. */
   vtkSetMacro(OffshoreDepth, double);
   vtkGetMacro(OffshoreDepth, double);
   ///@}

@@ -23,6 +23,7 @@
 #include <cmath>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkSwellSurface);
@@ -34,6 +35,12 @@ namespace
 constexpr double MostTimeSteps = 1e6;
 
 constexpr double FewestPointsPerWave = 16.0;
+
+// NAME:key=value,... of a name, which may have some already, and further parameters.
+std::string sectionSpec(const std::string& name, const std::string& parameters)
+{
+  return parameters.empty() ? name : name + (name.find(':') == std::string::npos ? ":" : ",") + parameters;
+}
 
 void requirePositive(const char* name, double value)
 {
@@ -128,7 +135,8 @@ int vtkSwellSurface::RequestData(
       throw std::invalid_argument("PointsPerWave is " + std::to_string(this->PointsPerWave) +
         "; it must be 16 or more, or 0 for as many as the section asks for");
     }
-    const auto section = swellray::makeWaveSection(this->Section);
+    const std::string spec = sectionSpec(this->Section, this->SectionParameters);
+    const auto section = swellray::makeWaveSection(spec);
     const double pointsPerWave = this->PointsPerWave > 0.0 ? this->PointsPerWave : section->pointsPerWave();
     if (!this->Scene || this->SceneOf[0] != rays->GetMTime() || this->SceneOf[1] != image->GetMTime() ||
       this->ScenePointsPerWave != pointsPerWave || this->SceneSeed != this->Seed ||
@@ -189,7 +197,7 @@ int vtkSwellSurface::RequestData(
     output->SetPolys(scene.triangles());
 
     output->GetFieldData()->ShallowCopy(rays->GetFieldData());
-    swellray::setFieldString(output, "Section", this->Section);
+    swellray::setFieldString(output, "Section", spec);
     swellray::setFieldValue(output, "SectionVariation", section->variation());
     swellray::setFieldInteger(output, "Seed", this->Seed);
     swellray::setFieldValue(output, "IncidentWavelength", scene.options().wavelength);
@@ -208,7 +216,7 @@ int vtkSwellSurface::RequestData(
 void vtkSwellSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Section: " << this->Section << "\n";
+  os << indent << "Section: " << sectionSpec(this->Section, this->SectionParameters) << "\n";
   os << indent << "PhaseRule: " << (this->PhaseRule == STRAIGHT ? "straight" : "traced") << "\n";
   os << indent << "PointsPerWave: " << this->PointsPerWave << "\n";
   os << indent << "Time: " << this->Time << "\n";

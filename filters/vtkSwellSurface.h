@@ -53,6 +53,12 @@ public:
   vtkGetMacro(Section, std::string);
   ///@}
 
+  ///@{
+  /** Parameters of the section, key=value,..., beside those in Section; default none. */
+  vtkSetMacro(SectionParameters, std::string);
+  vtkGetMacro(SectionParameters, std::string);
+  ///@}
+
   enum PhaseRules
   {
     TRACED = 0,
@@ -126,6 +132,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   std::string Section = "gonzato-lesaec";
+  std::string SectionParameters;
   int PhaseRule = TRACED;
   double PointsPerWave = 0.0;
   double Time = 0.0;

@@ -19,8 +19,6 @@
 namespace swellray::cli
 {
 
-using namespace drawing;
-
 vtkStandardNewMacro(ChartItem);
 
 namespace

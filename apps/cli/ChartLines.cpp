@@ -22,8 +22,6 @@
 namespace swellray::cli
 {
 
-using namespace drawing;
-
 namespace
 {
 

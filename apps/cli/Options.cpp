@@ -15,7 +15,6 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     surfaceSpec(request),
     spectrumSpec(request),
     renderSpec(request),
-    viewSpec(request),
     validateSpec(request),
     listSpec(),
   };

@@ -87,6 +87,23 @@ std::map<std::string, std::string> bytesOf(vtkPolyData* data)
 
 }
 
+TEST(RayTracer, takesAnOffshoreDepthOfZeroForDeepWater)
+{
+  vtkNew<vtkSwellRayTracer> tracer;
+  const auto reader = builtin(Beach);
+  tracer->SetInputConnection(reader->GetOutputPort());
+  fromTheEast(tracer);
+  tracer->Update();
+  const auto deep = bytesOf(tracer->GetOutput());
+  tracer->SetOffshoreDepth(20.0);
+  tracer->Update();
+  EXPECT_NE(bytesOf(tracer->GetOutput()), deep);
+  tracer->SetOffshoreDepth(0.0);
+  tracer->Update();
+  EXPECT_EQ(bytesOf(tracer->GetOutput()), deep);
+  EXPECT_EQ(fieldNumber(tracer->GetOutput(), "OffshoreDepth"), std::numeric_limits<double>::infinity());
+}
+
 TEST(RayTracer, givesTheArraysItPromises)
 {
   vtkNew<vtkSwellRayTracer> tracer;

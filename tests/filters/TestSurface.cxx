@@ -306,6 +306,21 @@ TEST(Surface, pointsPerWaveFollowTheSectionOrTheSetting)
   EXPECT_GT(scene.Surface->GetOutput()->GetNumberOfPoints(), 2.0 * sixteen);
 }
 
+TEST(Surface, parametersOfTheSectionMayStandApart)
+{
+  Scene scene;
+  const auto pointsWith = [&](const char* section, const char* parameters)
+  {
+    scene.Surface->SetSection(section);
+    scene.Surface->SetSectionParameters(parameters);
+    scene.Surface->Update();
+    return Scene::copy(scene.Surface->GetOutput()->GetPoints()->GetData());
+  };
+  const auto together = pointsWith("vortex:steepness=0.3", "");
+  EXPECT_EQ(pointsWith("vortex", "steepness=0.3"), together);
+  EXPECT_NE(pointsWith("vortex", ""), together);
+}
+
 TEST(Surface, saysWhatIsWrong)
 {
   const auto errorOf = [](const auto& change)
