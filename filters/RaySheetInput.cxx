@@ -74,10 +74,10 @@ SheetArrays::SheetArrays(vtkPolyData* rays)
     arrays.reflections = hold(requireIntegers(ofRays, "Reflections", count));
   }
   this->Walls = obstaclesOf(rays);
-  if (this->Walls)
+  arrays.obstacles = this->Walls.get();
+  if (this->Walls || ofRays->GetArray("EndReason"))
   {
     arrays.endReason = hold(requireBytes(ofRays, "EndReason", count));
-    arrays.obstacles = this->Walls.get();
   }
   arrays.direction = hold(doubleTriples(ofPoints->GetArray("Direction"), points, "Direction"));
   arrays.wavenumber = hold(requireDoubles(ofPoints, "Wavenumber", points));

@@ -43,6 +43,28 @@ struct FoldHit
   FoldShare wave;
 };
 
+// What beams bring to a place.
+struct BeamHit
+{
+  std::size_t place = 0;
+  BeamShare wave;
+};
+
+// Whatever makes up the waves of places.
+struct Hits
+{
+  std::vector<SheetHit> sheets;
+  std::vector<FoldHit> folds;
+  std::vector<BeamHit> beams;
+
+  void clear()
+  {
+    this->sheets.clear();
+    this->folds.clear();
+    this->beams.clear();
+  }
+};
+
 void resize(RayMap& map, std::size_t places)
 {
   map.height.assign(places, NotANumber);
@@ -123,30 +145,33 @@ std::complex<double> interfere(
 }
 
 // Hits of a place stay in the order of the triangles, so that sums are the same for any number of threads.
-void combineHits(std::vector<SheetHit>& hits, std::vector<FoldHit>& foldHits, CombineRule rule, RayMap& map)
+void combineHits(Hits& hits, CombineRule rule, RayMap& map)
 {
   const auto byPlace = [](const auto& a, const auto& b) { return a.place < b.place; };
-  std::stable_sort(hits.begin(), hits.end(), byPlace);
-  std::stable_sort(foldHits.begin(), foldHits.end(), byPlace);
+  std::stable_sort(hits.sheets.begin(), hits.sheets.end(), byPlace);
+  std::stable_sort(hits.folds.begin(), hits.folds.end(), byPlace);
   std::vector<WaveSheet> waves;
   std::vector<FoldShare> folds;
-  auto fold = foldHits.begin();
-  for (auto hit = hits.begin(); hit != hits.end() || fold != foldHits.end();)
+  auto hit = hits.sheets.begin();
+  auto fold = hits.folds.begin();
+  auto beam = hits.beams.begin();
+  const auto next = [](auto at, auto end) { return at == end ? std::numeric_limits<std::size_t>::max() : at->place; };
+  while (hit != hits.sheets.end() || fold != hits.folds.end() || beam != hits.beams.end())
   {
-    const std::size_t place = hit == hits.end() ? fold->place
-      : fold == foldHits.end()                  ? hit->place
-                                                : std::min(hit->place, fold->place);
+    const std::size_t place =
+      std::min({ next(hit, hits.sheets.end()), next(fold, hits.folds.end()), next(beam, hits.beams.end()) });
     waves.clear();
     folds.clear();
-    for (; hit != hits.end() && hit->place == place; ++hit)
+    for (; hit != hits.sheets.end() && hit->place == place; ++hit)
     {
       waves.push_back(hit->wave);
     }
-    for (; fold != foldHits.end() && fold->place == place; ++fold)
+    for (; fold != hits.folds.end() && fold->place == place; ++fold)
     {
       folds.push_back(fold->wave);
     }
-    const CombinedWave wave = combineSheets(waves.data(), waves.size(), rule, folds.data(), folds.size());
+    const BeamShare* beams = next(beam, hits.beams.end()) == place ? &(beam++)->wave : nullptr;
+    const CombinedWave wave = combineSheets(waves.data(), waves.size(), rule, folds.data(), folds.size(), beams);
     map.height[place] = wave.height;
     map.directionFrom[place] = wave.directionFrom;
     map.wavelength[place] = wave.wavelength;
@@ -156,10 +181,54 @@ void combineHits(std::vector<SheetHit>& hits, std::vector<FoldHit>& foldHits, Co
   }
 }
 
-// Energies of sheets need no strips: their heights are finite.
-std::optional<FoldStrips> stripsFor(const RaySheets& sheets, CombineRule rule, const Execution& execution)
+// The waves of beams at places of a row.
+class BeamRow
 {
-  return rule == CombineRule::Phase ? std::optional<FoldStrips>(std::in_place, sheets, execution) : std::nullopt;
+public:
+  explicit BeamRow(const GaussianBeams* beams)
+    : Beams(beams && !beams->empty() ? beams : nullptr)
+  {
+  }
+
+  /** @param firstPlace index of the first of them; `depth` as for mapRays */
+  void look(const glm::dvec2& first, double spacing, std::size_t count, const double* depth, std::size_t firstPlace,
+    std::vector<BeamHit>& hits)
+  {
+    if (!this->Beams)
+    {
+      return;
+    }
+    this->Shares.assign(count, {});
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const bool wet = !depth || depth[firstPlace + i] > 0.0;
+      this->Shares[i].weight = wet ? this->Beams->reach({ first.x + spacing * static_cast<double>(i), first.y }) : 0.0;
+      any = any || this->Shares[i].weight > 0.0;
+    }
+    if (any)
+    {
+      this->Beams->addRow(first, spacing, count, this->Shares.data());
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      if (this->Shares[i].weight > 0.0)
+      {
+        hits.push_back({ firstPlace + i, this->Shares[i] });
+      }
+    }
+  }
+
+private:
+  const GaussianBeams* Beams;
+  std::vector<BeamShare> Shares;
+};
+
+// Energies of sheets need neither strips nor beams: their heights are finite.
+template <typename T>
+std::optional<T> makeFor(const RaySheets& sheets, CombineRule rule, const Execution& execution)
+{
+  return rule == CombineRule::Phase ? std::optional<T>(std::in_place, sheets, execution) : std::nullopt;
 }
 
 void validate(const MapGrid& grid)
@@ -175,17 +244,25 @@ void validate(const MapGrid& grid)
 
 }
 
-CombinedWave combineSheets(
-  const WaveSheet* sheets, std::size_t count, CombineRule rule, const FoldShare* folds, std::size_t foldCount)
+CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRule rule, const FoldShare* folds,
+  std::size_t foldCount, const BeamShare* beams)
 {
   CombinedWave combined;
   combined.count = static_cast<std::int32_t>(count);
   const bool strips = rule == CombineRule::Phase && foldCount > 0;
+  const bool withBeams = rule == CombineRule::Phase && beams && beams->weight > 0.0;
+  const auto wave = [&]()
+  {
+    const double rest = withBeams ? 1.0 - beams->weight : 1.0;
+    const std::complex<double> sum = interfere(sheets, count, folds, strips ? foldCount : 0);
+    return withBeams ? rest * sum + beams->weight * beams->wave : sum;
+  };
   if (count == 0)
   {
-    combined.height = strips ? std::abs(interfere(sheets, count, folds, foldCount)) : NotANumber;
-    combined.directionFrom = strips ? nauticalFromVector(folds->wavenumber) : NotANumber;
-    combined.wavelength = strips ? 2.0 * Pi / glm::length(folds->wavenumber) : NotANumber;
+    const glm::dvec2 wavenumber = strips ? folds->wavenumber : withBeams ? beams->wavenumber : glm::dvec2(NotANumber);
+    combined.height = strips || withBeams ? std::abs(wave()) : NotANumber;
+    combined.directionFrom = strips || withBeams ? nauticalFromVector(wavenumber) : NotANumber;
+    combined.wavelength = strips || withBeams ? 2.0 * Pi / glm::length(wavenumber) : NotANumber;
     return combined;
   }
   const WaveSheet* highest = std::max_element(
@@ -196,7 +273,7 @@ CombinedWave combineSheets(
   combined.wavelength = 2.0 * Pi / glm::length(highest->wavenumber);
   combined.height = highest->height;
   // One wave needs no mean, and next to an infinite or no wave at all no other counts.
-  if ((count == 1 && !strips) || !(highest->height > 0.0) || std::isinf(highest->height))
+  if ((count == 1 && !strips && !withBeams) || !(highest->height > 0.0) || std::isinf(highest->height))
   {
     return combined;
   }
@@ -212,8 +289,7 @@ CombinedWave combineSheets(
     wavenumber += squared * k;
     direction += squared * sheet->wavenumber / k;
   }
-  combined.height =
-    rule == CombineRule::Energy ? std::sqrt(energy) : std::abs(interfere(sheets, count, folds, strips ? foldCount : 0));
+  combined.height = rule == CombineRule::Energy ? std::sqrt(energy) : std::abs(wave());
   combined.wavelength = 2.0 * Pi * energy / wavenumber;
   if (glm::length(direction) > NoMean * energy)
   {
@@ -239,7 +315,8 @@ RayMap mapRays(
       return spanOf(box.low.y - grid.spacing.y, box.high.y, grid.origin.y, bandHeight, bands);
     });
 
-  const std::optional<FoldStrips> folds = stripsFor(sheets, rule, execution);
+  const std::optional<FoldStrips> folds = makeFor<FoldStrips>(sheets, rule, execution);
+  const std::optional<GaussianBeams> beams = makeFor<GaussianBeams>(sheets, rule, execution);
   const Bins foldBins = sortIntoBins(bands, folds ? folds->size() : 0,
     [&](std::size_t i)
     {
@@ -249,8 +326,8 @@ RayMap mapRays(
   execution.forRange(bands,
     [&](std::size_t begin, std::size_t end)
     {
-      std::vector<SheetHit> hits;
-      std::vector<FoldHit> foldHits;
+      Hits hits;
+      BeamRow beamRow(beams ? &*beams : nullptr);
       SheetHit hit;
       FoldHit foldHit;
       // Every node of a band in a box.
@@ -275,7 +352,6 @@ RayMap mapRays(
       for (std::size_t band = begin; band < end; ++band)
       {
         hits.clear();
-        foldHits.clear();
         for (std::size_t at = bins.offsets[band]; at < bins.offsets[band + 1]; ++at)
         {
           const RaySheets::Triangle& triangle = triangles[bins.items[at]];
@@ -285,7 +361,7 @@ RayMap mapRays(
               hit.place = place;
               if (sheets.wave(triangle, sheets.inwards(node), hit.wave))
               {
-                hits.push_back(hit);
+                hits.sheets.push_back(hit);
               }
             });
         }
@@ -298,11 +374,16 @@ RayMap mapRays(
               foldHit.place = place;
               if (folds->wave(strip, node, foldHit.wave))
               {
-                foldHits.push_back(foldHit);
+                hits.folds.push_back(foldHit);
               }
             });
         }
-        combineHits(hits, foldHits, rule, map);
+        for (std::size_t row = band * RowsAtOnce; row < std::min(grid.rows, (band + 1) * RowsAtOnce); ++row)
+        {
+          beamRow.look(grid.origin + grid.spacing * glm::dvec2(0.0, static_cast<double>(row)), grid.spacing.x,
+            grid.columns, depth, row * grid.columns, hits.beams);
+        }
+        combineHits(hits, rule, map);
       }
     });
   return map;
@@ -318,9 +399,9 @@ RayMap sampleRays(const RaySheets& sheets, const std::vector<glm::dvec2>& places
   {
     wanted[i] = depth[i] > 0.0 ? 1 : 0;
   }
-  std::vector<SheetHit> hits = findSheets(sheets, places, &wanted, execution);
-  std::vector<FoldHit> foldHits;
-  if (const std::optional<FoldStrips> folds = stripsFor(sheets, rule, execution))
+  Hits hits;
+  hits.sheets = findSheets(sheets, places, &wanted, execution);
+  if (const std::optional<FoldStrips> folds = makeFor<FoldStrips>(sheets, rule, execution))
   {
     FoldHit hit;
     for (hit.place = 0; hit.place < places.size(); ++hit.place)
@@ -329,12 +410,20 @@ RayMap sampleRays(const RaySheets& sheets, const std::vector<glm::dvec2>& places
       {
         if (folds->wave(strip, places[hit.place], hit.wave))
         {
-          foldHits.push_back(hit);
+          hits.folds.push_back(hit);
         }
       }
     }
   }
-  combineHits(hits, foldHits, rule, map);
+  if (const std::optional<GaussianBeams> beams = makeFor<GaussianBeams>(sheets, rule, execution))
+  {
+    BeamRow row(&*beams);
+    for (std::size_t i = 0; i < places.size(); ++i)
+    {
+      row.look(places[i], 1.0, 1, depth, i, hits.beams);
+    }
+  }
+  combineHits(hits, rule, map);
   return map;
 }
 

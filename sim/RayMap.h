@@ -2,6 +2,7 @@
 
 #include "sim/Execution.h"
 #include "sim/FoldStrips.h"
+#include "sim/GaussianBeams.h"
 #include "sim/RaySheets.h"
 
 #include <cstddef>
@@ -17,7 +18,7 @@ enum class CombineRule
   Energy, ///< H^2 = sum H_i^2: irregular seas, whose phases are not known
   Phase,  ///< H = |sum H_i exp(i (S_i - m_i pi/2))|, m_i: caustics passed: one regular wave.
           ///< The two branches of a fold caustic are added by foldWave(), next to it by FoldStrips, which go on into
-          ///< its dark side
+          ///< its dark side; around cusps and foci GaussianBeams have the place of both
 };
 
 /** What the sheets at one place amount to. */
@@ -32,12 +33,13 @@ struct CombinedWave
 };
 
 /**
- * Combine sheets and, by CombineRule::Phase, strips along fold caustics, each in place of the two sheets that make it.
+ * Combine sheets and, by CombineRule::Phase, strips along fold caustics, each in place of the two sheets that make it, and
+ * beams around foci in place of all.
  * Where opposite waves have no mean direction that of the highest is taken.
  * (Phase shift of pi/2 a caustic: Ludwig 1966, Commun. Pure Appl. Math. 19, 215-250.)
  */
 CombinedWave combineSheets(const WaveSheet* sheets, std::size_t count, CombineRule rule,
-  const FoldShare* folds = nullptr, std::size_t foldCount = 0);
+  const FoldShare* folds = nullptr, std::size_t foldCount = 0, const BeamShare* beams = nullptr);
 
 /** Nodes of a map. */
 struct MapGrid

@@ -20,7 +20,7 @@ struct SheetRays
   const std::int32_t* parent = nullptr;      ///< a ray, -1 for a launched one
   const std::uint8_t* lee = nullptr;         ///< a ray, 1: a model of diffraction
   const std::int32_t* reflections = nullptr; ///< a ray, by obstacles; null: none anywhere
-  const std::uint8_t* endReason = nullptr;   ///< a ray, EndReason; needed with obstacles
+  const std::uint8_t* endReason = nullptr;   ///< a ray, EndReason; needed with obstacles, and by GaussianBeams at edges
   const Obstacles* obstacles = nullptr;      ///< null: none
   const double* direction = nullptr;         ///< 3 a point: unit vector of the wavenumber
   const double* wavenumber = nullptr;        ///< a point, rad/m

@@ -74,6 +74,7 @@ TracedField::TracedField(
     this->Segment.push_back(info.launchSegment);
     this->Parent.push_back(info.parent);
     this->Lee.push_back(info.lee ? 1 : 0);
+    this->End.push_back(static_cast<std::uint8_t>(info.endReason));
   }
   this->Offsets.assign(this->Field.offsets.begin(), this->Field.offsets.end());
 }
@@ -89,6 +90,7 @@ SheetRays TracedField::sheetRays() const
   rays.lines.launchSegment = this->Segment.data();
   rays.parent = this->Parent.data();
   rays.lee = this->Lee.data();
+  rays.endReason = this->End.data();
   rays.direction = this->Direction.data();
   rays.wavenumber = this->Wavenumber.data();
   rays.height = this->Height.data();

@@ -30,7 +30,7 @@ private:
   std::vector<std::int64_t> Offsets;
   std::vector<double> Position, Direction, Phase, Wavenumber, Refraction, Tube, Height, Lambda;
   std::vector<std::int32_t> Segment, Parent, Caustics;
-  std::vector<std::uint8_t> Lee, Breaking, State;
+  std::vector<std::uint8_t> Lee, End, Breaking, State;
 };
 
 }

@@ -224,10 +224,18 @@ struct RoundScene
   std::function<double(double)> depthAt;
   const Seafloor* seafloor = nullptr;
   double spacing = 5.0;
-  std::vector<double> behind; // transects x = const that are judged, m
-  std::vector<double> shown;  // and others
-  double limit = 0.05;
+  std::vector<double> across; // transects x = const, m
+  std::vector<double> shown;  // and others, which are not judged
+  bool judged = true;
 };
+
+// Half length of a transect x = const, and ends of the one along y = 0, in radii.
+constexpr double Across = 1.2;
+constexpr double Before = -1.5;
+constexpr double Behind = 3.0;
+
+// What the field by rays may be off by, rms: a plain sum of rays is off by as much where there is no caustic.
+constexpr double PlainSum = 0.08;
 
 Outcome roundCase(const RoundScene& scene, const Setting& setting)
 {
@@ -253,13 +261,8 @@ Outcome roundCase(const RoundScene& scene, const Setting& setting)
 
   Outcome outcome;
   outcome.numbers.columns = { "x_m", "y_m", "phi_exact", "phi", "eta_exact", "height", "height_plain", "sheets" };
-  const auto transect = [&](double x, bool judged)
+  const auto transect = [&](const std::vector<glm::dvec2>& places, const std::string& title, bool along, bool judged)
   {
-    std::vector<glm::dvec2> places;
-    for (double y = -0.9 * scene.radius; y <= 0.9 * scene.radius; y += 0.01 * scene.radius)
-    {
-      places.emplace_back(x, y);
-    }
     const RayMap map = field.at(places, CombineRule::Phase);
     const std::vector<double> plain = field.plainSum(places);
     Series exact{ "exact", Series::Look::Line, {}, {} };
@@ -275,31 +278,46 @@ Outcome roundCase(const RoundScene& scene, const Setting& setting)
       phiSum += std::pow(map.height[i] * conversion - phi, 2);
       etaSum += std::pow(map.height[i] - eta, 2);
       plainSum += std::pow(plain[i] - eta, 2);
-      exact.add(places[i].y, eta);
-      dots.add(places[i].y, map.height[i]);
-      outcome.numbers.rows.push_back({ x, places[i].y, phi, map.height[i] * conversion, eta, map.height[i], plain[i],
+      exact.add(along ? places[i].x : places[i].y, eta);
+      dots.add(along ? places[i].x : places[i].y, map.height[i]);
+      outcome.numbers.rows.push_back({ places[i].x, places[i].y, phi, map.height[i] * conversion, eta, map.height[i], plain[i],
         static_cast<double>(map.count[i]) });
     }
     const auto count = static_cast<double>(places.size());
-    char title[64];
-    std::snprintf(title, sizeof title, "x = %.0f m", x);
-    outcome.plots.push_back({ title, "y (m)", "H/H0", { exact, dots }, false, false });
-    const std::string where = std::string(" on ") + title + " (rms)";
+    outcome.plots.push_back({ title, along ? "x (m)" : "y (m)", "H/H0", { exact, dots }, false, false });
+    const std::string where = " on " + title + " (rms)";
     const auto ask = judged ? Check::Ask::AtMost : Check::Ask::Nothing;
-    outcome.checks.push_back({ "phi" + where, std::sqrt(phiSum / count), scene.limit,
-      "waves are not short against the shoal: ray theory itself", ask });
-    outcome.checks.push_back({ "H against mild slope" + where, std::sqrt(etaSum / count), 0.08,
-      "the same, and the shoaling of leading order", ask });
+    outcome.checks.push_back({ "phi" + where, std::sqrt(phiSum / count), PlainSum,
+      "less than the plain sum of rays away from caustics", ask });
+    outcome.checks.push_back({ "H against mild slope" + where, std::sqrt(etaSum / count), PlainSum,
+      "the same, with the shoaling of leading order", ask });
     outcome.checks.push_back({ "H of the plain sum of rays" + where, std::sqrt(plainSum / count), 0.0, "for comparison",
       Check::Ask::Nothing });
   };
-  for (const double x : scene.behind)
+  const auto acrossAt = [&](double x, bool judged)
   {
-    transect(x, true);
+    std::vector<glm::dvec2> places;
+    for (int i = -120; i <= 120; ++i)
+    {
+      places.emplace_back(x, i / 120.0 * Across * scene.radius);
+    }
+    char title[64];
+    std::snprintf(title, sizeof title, "x = %.0f m", x);
+    transect(places, title, false, judged);
+  };
+  std::vector<glm::dvec2> axis;
+  for (int i = 0; i <= 225; ++i)
+  {
+    axis.emplace_back((Before + (Behind - Before) * i / 225.0) * scene.radius, 0.0);
+  }
+  transect(axis, "y = 0", true, scene.judged);
+  for (const double x : scene.across)
+  {
+    acrossAt(x, scene.judged);
   }
   for (const double x : scene.shown)
   {
-    transect(x, false);
+    acrossAt(x, false);
   }
   return outcome;
 }
@@ -315,8 +333,8 @@ Outcome shoalCase(const Setting& setting)
   const std::unique_ptr<Seafloor> seafloor =
     makeBuiltinSeafloor("shoal:kind=poly3,depth=15,height=10.5,radius=250,x0=-1000,x1=1000,y0=-1000,y1=1000");
   scene.seafloor = seafloor.get();
-  scene.behind = { 350.0, 500.0, 700.0 };
-  scene.shown = { 75.0, 125.0, 250.0 };
+  scene.across = { 75.0, 125.0, 250.0, 500.0 };
+  scene.shown = { 350.0, 700.0 };
   Outcome outcome = roundCase(scene, setting);
 
   // The ray along the axis runs into the cusp.
@@ -373,10 +391,10 @@ Outcome lensCase(const Setting& setting)
   formula.kinks.push_back([radius](const reference::Jet& x, const reference::Jet& y)
     { return x * x + y * y - reference::Jet(radius * radius); });
   const reference::FormulaSeafloor seafloor(
-    formula, { { -2.0 * radius, -2.0 * radius }, { 2.0 * radius, 2.0 * radius } }, 0.1 * radius);
+    formula, { { -2.0 * radius, -2.0 * radius }, { 3.2 * radius, 2.0 * radius } }, 0.1 * radius);
   scene.seafloor = &seafloor;
-  scene.behind = { -250.0, 0.0 };
-  scene.shown = { 300.0, 750.0 };
+  scene.judged = false;
+  scene.across = { -250.0, 0.0, 300.0, 500.0, 750.0 };
   return roundCase(scene, setting);
 }
 
