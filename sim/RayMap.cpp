@@ -31,6 +31,9 @@ constexpr double NoMean = 1e-12;
 // Geometric heights are taken to be right up to this many times what the modulus on a sheet says.
 constexpr double LargestBranch = 1.5;
 
+// Branches of a fold differ by no more than this times z^(1/2), of their sum, where triangles are too coarse for their tubes.
+constexpr double LargestDifference = 0.5;
+
 // Next to a caustic the sheets' phases are off by less than this, rad.
 constexpr double Ragged = 0.7;
 
@@ -95,6 +98,19 @@ double branchOf(const WaveSheet& sheet, double half)
   return sheet.branch < LargestBranch * own ? sheet.branch : own;
 }
 
+// Both branches as one wave. Their heights are the same on the caustic: what the sheets say of their difference there would
+// grow without limit.
+std::complex<double> joinedBranches(FoldBranch before, FoldBranch behind)
+{
+  const double sum = before.amplitude + behind.amplitude;
+  const double half = std::max(0.0, 0.5 * (behind.phase - before.phase));
+  const double most = sum * std::min(1.0, LargestDifference * std::cbrt(1.5 * half));
+  const double difference = std::clamp(before.amplitude - behind.amplitude, -most, most);
+  before.amplitude = 0.5 * (sum + difference);
+  behind.amplitude = 0.5 * (sum - difference);
+  return foldWave(before, behind);
+}
+
 // Interference of all sheets, the two branches of each fold together, and of the strips that take their place.
 std::complex<double> interfere(
   const WaveSheet* sheets, std::size_t count, const FoldShare* folds, std::size_t foldCount)
@@ -138,7 +154,7 @@ std::complex<double> interfere(
       const std::complex<double> rays =
         std::polar(a.amplitude, a.phase) + std::polar(branch[i].amplitude, branch[i].phase - 0.5 * Pi);
       sum += std::min(weight[i], weight[before[i]]) * std::polar(1.0, -0.5 * Pi * sheets[before[i]].caustics) *
-        (foldWave(a, branch[i]) - rays);
+        (joinedBranches(a, branch[i]) - rays);
     }
   }
   return sum;
