@@ -145,12 +145,13 @@ void BeamBuilder::findFoci()
   const auto key = [&](const RayCaustic* caustic)
   {
     const auto ray = static_cast<std::size_t>(caustic->ray);
-    return std::make_tuple(this->Rays.lines.launchSegment[ray], caustic->number, this->Rays.lines.launchParameter[ray],
-      caustic->ray);
+    return std::make_tuple(
+      this->Rays.lines.launchSegment[ray], caustic->number, this->Rays.lines.launchParameter[ray], caustic->ray);
   };
   std::sort(sorted.begin(), sorted.end(), [&](const RayCaustic* a, const RayCaustic* b) { return key(a) < key(b); });
-  const auto together = [&](const RayCaustic* a, const RayCaustic* b)
-  { return a->number == b->number && this->Rays.lines.launchSegment[a->ray] == this->Rays.lines.launchSegment[b->ray]; };
+  const auto together = [&](const RayCaustic* a, const RayCaustic* b) {
+    return a->number == b->number && this->Rays.lines.launchSegment[a->ray] == this->Rays.lines.launchSegment[b->ray];
+  };
   const std::size_t count = sorted.size();
   std::vector<char> special(count, 0);
   for (std::size_t i = 0; i < count; ++i)
@@ -216,9 +217,11 @@ void BeamBuilder::sortRays()
       continue;
     }
     const std::int32_t parent = this->Rays.parent[i];
-    ray.launched = parent < 0 || (this->Rays.reflections && this->Rays.reflections[i] != this->Rays.reflections[parent]);
+    ray.launched =
+      parent < 0 || (this->Rays.reflections && this->Rays.reflections[i] != this->Rays.reflections[parent]);
     const double* start = lines.positions + 3 * ray.begin;
-    const glm::dvec2 inside = glm::min(glm::dvec2(start[0], start[1]) - bounds.low, bounds.high - glm::dvec2(start[0], start[1]));
+    const glm::dvec2 inside =
+      glm::min(glm::dvec2(start[0], start[1]) - bounds.low, bounds.high - glm::dvec2(start[0], start[1]));
     ray.before = parent < 0 && std::min(inside.x, inside.y) < near;
     ray.beyond = this->Rays.endReason && ray.end == lines.offsets[i + 1] &&
       this->Rays.endReason[i] == static_cast<std::uint8_t>(EndReason::LeftScene);
@@ -396,8 +399,8 @@ std::vector<BeamBuilder::Point> BeamBuilder::pointsOf(std::size_t order) const
     const Side right = this->side(order, point.phase, -1);
     const Side left = this->side(order, point.phase, 1);
     const double share = 0.5 * this->presence(ray, point.phase) * (right.gap + left.gap);
-    point.amplitude = place.height * share / std::sqrt(2.0 * Pi) * std::sqrt(sheer) *
-      std::polar(1.0, -0.5 * Pi * place.caustics);
+    point.amplitude =
+      place.height * share / std::sqrt(2.0 * Pi) * std::sqrt(sheer) * std::polar(1.0, -0.5 * Pi * place.caustics);
     const double spacing = std::max(right.gap, left.gap) * std::abs(across) / std::sqrt(point.spread.imag());
     point.doubt = std::max({ right.end, left.end, smoothStep(FineSpacing, CoarseSpacing, spacing) });
     points.push_back(point);

@@ -86,8 +86,8 @@ double GaussianBeams::reach(const glm::dvec2& place) const
   for (const BeamFocus& focus : this->Foci)
   {
     const glm::dvec2 way = (place - focus.position) / focus.length;
-    rest *= 1.0 -
-      step(FirstBeams, AllAhead, glm::dot(way, focus.along)) * (1.0 - step(AllBeams, Farthest, glm::length(way)));
+    rest *=
+      1.0 - step(FirstBeams, AllAhead, glm::dot(way, focus.along)) * (1.0 - step(AllBeams, Farthest, glm::length(way)));
   }
   return 1.0 - rest;
 }
@@ -153,8 +153,7 @@ void GaussianBeams::add(const Segment& segment, const glm::dvec2& place, Sum& su
   const double u = past / (past + ahead);
   const glm::dvec2 along = glm::normalize(glm::mix(a.along, b.along, u));
   const double scale = glm::mix(a.scale, b.scale, u);
-  const glm::dvec2 foot =
-    cubic(a.position, b.position, segment.length * a.along, segment.length * b.along, u);
+  const glm::dvec2 foot = cubic(a.position, b.position, segment.length * a.along, segment.length * b.along, u);
   const double off = glm::dot(leftOf(along), place - foot) / scale;
   const std::complex<double> spread = a.spread + u * (b.spread - a.spread);
   const double exponent = 0.5 * spread.imag() * off * off;

@@ -85,10 +85,10 @@ private:
     glm::dvec2 position{ 0.0 };
     glm::dvec2 along{ 0.0 }; // unit vector
     double phase = 0.0;
-    double wavenumber = 0.0;             // true, rad/m
-    double scale = 1.0;                  // of the map
-    double width = 0.0;                  // half, out to where nothing is left, on the map
-    double doubt = 0.0;                  // 0 to 1: the integral may not go on here
+    double wavenumber = 0.0;              // true, rad/m
+    double scale = 1.0;                   // of the map
+    double width = 0.0;                   // half, out to where nothing is left, on the map
+    double doubt = 0.0;                   // 0 to 1: the integral may not go on here
     std::complex<double> spread = 0.0;    // M
     std::complex<double> amplitude = 0.0; // with the share of lambda that is the ray's
   };

@@ -224,9 +224,9 @@ struct RoundScene
   std::function<double(double)> depthAt;
   const Seafloor* seafloor = nullptr;
   double spacing = 5.0;
-  std::vector<double> across; // transects x = const, m
-  std::vector<double> shown;  // and others, which are not judged
-  bool judged = true;
+  std::vector<double> across; // transects x = const that are judged, m
+  std::vector<double> shown;  // and others
+  bool axisIsJudged = true;   // y = 0
 };
 
 // Half length of a transect x = const, and ends of the one along y = 0, in radii.
@@ -280,8 +280,8 @@ Outcome roundCase(const RoundScene& scene, const Setting& setting)
       plainSum += std::pow(plain[i] - eta, 2);
       exact.add(along ? places[i].x : places[i].y, eta);
       dots.add(along ? places[i].x : places[i].y, map.height[i]);
-      outcome.numbers.rows.push_back({ places[i].x, places[i].y, phi, map.height[i] * conversion, eta, map.height[i], plain[i],
-        static_cast<double>(map.count[i]) });
+      outcome.numbers.rows.push_back({ places[i].x, places[i].y, phi, map.height[i] * conversion, eta, map.height[i],
+        plain[i], static_cast<double>(map.count[i]) });
     }
     const auto count = static_cast<double>(places.size());
     outcome.plots.push_back({ title, along ? "x (m)" : "y (m)", "H/H0", { exact, dots }, false, false });
@@ -310,10 +310,10 @@ Outcome roundCase(const RoundScene& scene, const Setting& setting)
   {
     axis.emplace_back((Before + (Behind - Before) * i / 225.0) * scene.radius, 0.0);
   }
-  transect(axis, "y = 0", true, scene.judged);
+  transect(axis, "y = 0", true, scene.axisIsJudged);
   for (const double x : scene.across)
   {
-    acrossAt(x, scene.judged);
+    acrossAt(x, true);
   }
   for (const double x : scene.shown)
   {
@@ -393,8 +393,10 @@ Outcome lensCase(const Setting& setting)
   const reference::FormulaSeafloor seafloor(
     formula, { { -2.0 * radius, -2.0 * radius }, { 3.2 * radius, 2.0 * radius } }, 0.1 * radius);
   scene.seafloor = &seafloor;
-  scene.judged = false;
-  scene.across = { -250.0, 0.0, 300.0, 500.0, 750.0 };
+  // From 20 degrees on to 90 from the axis rays come into the focus from a rim at which they graze: shown.
+  scene.axisIsJudged = false;
+  scene.across = { -250.0, 0.0 };
+  scene.shown = { 300.0, 500.0, 750.0 };
   return roundCase(scene, setting);
 }
 
