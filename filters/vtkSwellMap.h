@@ -43,7 +43,10 @@ public:
   };
 
   ///@{
-  /** How sheets that overlap make one height: their energies are added (default), or they interfere. */
+  /**
+   * How sheets that overlap make one height: their energies are added (default), or they interfere, with strips along
+   * fold caustics and beams around cusps and foci, where they have height on the dark side too (RayCount 0).
+   */
   vtkSetClampMacro(CombineRule, int, ENERGY, PHASE);
   vtkGetMacro(CombineRule, int);
   void SetCombineRuleToEnergy() { this->SetCombineRule(ENERGY); }

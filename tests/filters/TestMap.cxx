@@ -1,5 +1,6 @@
 #include "Observers.h"
 
+#include "sim/Airy.h"
 #include "sim/Angles.h"
 #include "sim/Dispersion.h"
 #include "vtkSwellMap.h"
@@ -10,7 +11,9 @@
 
 #include <gtest/gtest.h>
 
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
@@ -24,6 +27,12 @@ namespace
 constexpr double HeightTolerance = 1e-3;
 constexpr double DirectionTolerance = 0.02; // degrees
 constexpr double LengthTolerance = 2e-3;    // relative
+
+// The strip along a fold, and a seafloor whose nodes are a fifth of the Airy length apart, in incident heights of 3.8 at most.
+constexpr double FoldTolerance = 2e-2;
+
+// In incident heights, of 2.8 there.
+constexpr double CuspTolerance = 0.15;
 
 /** Oblique waves onto a beach facing west, without breaking. */
 struct Scene
@@ -156,6 +165,106 @@ TEST(Stations, HaveTheValuesOfTheMap)
   EXPECT_TRUE(std::isnan(valueOf(table, "Elevation", outside)));
   EXPECT_TRUE(std::isnan(valueOf(table, "WaveHeight", outside)));
   EXPECT_EQ(valueOf(table, "RayCount", outside), 0.0);
+}
+
+// k^2 falls linearly with x, so that waves at 60 degrees turn at x = 400: the Airy function, on the dark side too.
+TEST(Map, OfARegularWaveGoesOnBeyondAFold)
+{
+  constexpr double length = 400.0;
+  const double omega = 2.0 * swellray::Pi / 10.0;
+  const double k0 = swellray::solveWavenumber(omega, 4.0);
+  const double along = k0 * std::sin(swellray::Pi / 3.0);
+  const double mu = (k0 * k0 - along * along) / length;
+  vtkNew<vtkImageData> image;
+  image->SetOrigin(-40.0, 0.0, 0.0);
+  image->SetSpacing(10.0, 40.0, 1.0);
+  image->SetDimensions(78, 101, 1);
+  vtkNew<vtkDoubleArray> elevation;
+  elevation->SetName("Elevation");
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    const double k = std::sqrt(k0 * k0 - mu * image->GetPoint(i)[0]);
+    elevation->InsertNextValue(-std::atanh(omega * omega / (9.81 * k)) / k);
+  }
+  image->GetPointData()->SetScalars(elevation);
+  vtkNew<vtkSwellRayTracer> tracer;
+  tracer->SetInputData(image);
+  tracer->SetPeriod(10.0);
+  tracer->SetDirectionFrom(210.0);
+  tracer->SetWaveHeight(1.0);
+  tracer->SetOffshoreDepth(4.0);
+  tracer->UseShoreNormalOn();
+  tracer->SetShoreNormal(90.0);
+  tracer->SetSpacing(10.0);
+  vtkNew<vtkSwellWaveHeight> heights;
+  heights->SetInputConnection(tracer->GetOutputPort());
+  heights->SetBreakingRuleToNone();
+  vtkNew<vtkSwellMap> map;
+  map->SetInputConnection(0, heights->GetOutputPort());
+  map->SetInputData(1, image);
+  map->SetSpacing(20.0);
+  map->SetCombineRuleToPhase();
+  map->Update();
+  const auto speeds = [&](double k)
+  {
+    const double h = std::atanh(omega * omega / (9.81 * k)) / k;
+    return omega / k * (omega / k) * 0.5 * (1.0 + 2.0 * k * h / std::sinh(2.0 * k * h));
+  };
+  const double scale = std::cbrt(mu);
+  const double incident = 2.0 * std::sqrt(swellray::Pi) * std::pow(scale * length, 0.25);
+  int dark = 0;
+  for (vtkIdType i = 0; i < map->GetOutput()->GetNumberOfPoints(); ++i)
+  {
+    const double* place = map->GetOutput()->GetPoint(i);
+    if (place[1] < 2900.0 || place[1] > 3500.0 || place[0] < 200.0 || place[0] > length + 3.0 / scale)
+    {
+      continue;
+    }
+    const double k = std::sqrt(k0 * k0 - mu * place[0]);
+    const double exact =
+      std::abs(incident * swellray::airy(-scale * (length - place[0])).value) * std::sqrt(speeds(k0) / speeds(k));
+    ASSERT_NEAR(valueOf(map->GetOutput(), "WaveHeight", i), exact, FoldTolerance) << place[0] << ' ' << place[1];
+    dark += valueOf(map->GetOutput(), "RayCount", i) == 0.0 ? 1 : 0;
+  }
+  EXPECT_GT(dark, 50);
+}
+
+// The places where rays touch caustics travel with them: without these there is a sum of rays.
+TEST(Map, OfARegularWaveHasBeamsAroundACusp)
+{
+  vtkNew<vtkSwellSeafloorReader> reader;
+  reader->SetFileName("shoal:kind=poly3,depth=15,height=10.5,radius=250,x0=-500,x1=800,y0=-700,y1=700");
+  vtkNew<vtkSwellRayTracer> tracer;
+  tracer->SetInputConnection(reader->GetOutputPort());
+  tracer->SetPeriod(8.0);
+  tracer->SetDirectionFrom(270.0);
+  tracer->SetWaveHeight(1.0);
+  tracer->SetOffshoreDepth(15.0);
+  tracer->SetSpacing(10.0);
+  vtkNew<vtkSwellWaveHeight> heights;
+  heights->SetInputConnection(tracer->GetOutputPort());
+  heights->SetBreakingRuleToNone();
+  heights->Update();
+  vtkNew<vtkPolyData> bare;
+  bare->ShallowCopy(heights->GetOutput());
+  bare->GetFieldData()->RemoveArray("CausticPoints");
+  // |eta| on the axis at x = 125 m, by partial waves of the mild-slope equation.
+  constexpr double exact = 2.848;
+  for (const bool whole : { true, false })
+  {
+    vtkNew<vtkPoints> points;
+    points->InsertNextPoint(125.0, 0.0, 0.0);
+    vtkNew<vtkPolyData> places;
+    places->SetPoints(points);
+    vtkNew<vtkSwellStations> stations;
+    stations->SetInputData(0, whole ? static_cast<vtkPolyData*>(heights->GetOutput()) : bare.GetPointer());
+    stations->SetSeafloorConnection(reader->GetOutputPort());
+    stations->SetInputData(2, places);
+    stations->SetCombineRuleToPhase();
+    stations->Update();
+    const double error = std::abs(valueOf(stations->GetOutput(), "WaveHeight", 0) - exact);
+    EXPECT_EQ(error < CuspTolerance, whole) << error;
+  }
 }
 
 TEST(Map, NeedsHeights)
