@@ -1,7 +1,7 @@
 #include "Chart.h"
 
 #include "ChartItem.h"
-#include "VirtualDisplay.h"
+#include "apps/drawing/VirtualDisplay.h"
 
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -18,6 +18,8 @@
 
 namespace swellray::cli
 {
+
+using namespace drawing;
 
 namespace
 {

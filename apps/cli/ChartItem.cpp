@@ -19,6 +19,8 @@
 namespace swellray::cli
 {
 
+using namespace drawing;
+
 vtkStandardNewMacro(ChartItem);
 
 namespace

@@ -16,8 +16,8 @@ namespace swellray::cli
 {
 
 /** Colour of lines and type, and of what stands back. */
-constexpr Rgb Ink{ 0.13, 0.15, 0.18 };
-constexpr Rgb SoftInk{ 0.36, 0.39, 0.43 };
+constexpr drawing::Rgb Ink{ 0.13, 0.15, 0.18 };
+constexpr drawing::Rgb SoftInk{ 0.36, 0.39, 0.43 };
 
 /** Paints a chart: map with frame, heading, and the column with arrows, colour scales, legend and scale bar. */
 class ChartItem : public vtkContextItem
@@ -45,15 +45,16 @@ private:
   void paintHeading(vtkContext2D* painter);
   double paintArrows(vtkContext2D* painter, double top);
   void paintArrow(vtkContext2D* painter, double x, double y, double bearing, const std::string& label, bool hollow);
-  void paintColorScale(vtkContext2D* painter, double top, double height, const std::string& title, const Range& range,
-    const std::function<Rgb(double)>& color, bool downwards, bool above, bool below);
+  void paintColorScale(vtkContext2D* painter, double top, double height, const std::string& title,
+    const drawing::Range& range, const std::function<drawing::Rgb(double)>& color, bool downwards, bool above,
+    bool below);
   double paintLegend(vtkContext2D* painter, double bottom);
   double paintScaleBar(vtkContext2D* painter, double bottom);
 
   void text(vtkContext2D* painter, double x, double y, const std::string& words, double size, Align align,
     double room = 0.0, bool bold = false, double turn = 0.0);
-  void pen(vtkContext2D* painter, const Rgb& color, double width, double opacity = 1.0);
-  void brush(vtkContext2D* painter, const Rgb& color);
+  void pen(vtkContext2D* painter, const drawing::Rgb& color, double width, double opacity = 1.0);
+  void brush(vtkContext2D* painter, const drawing::Rgb& color);
 
   ChartContent Content;
   ChartLayout Layout;

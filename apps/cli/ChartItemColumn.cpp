@@ -18,6 +18,8 @@
 namespace swellray::cli
 {
 
+using namespace drawing;
+
 void ChartItem::paintArrow(
   vtkContext2D* painter, double x, double y, double bearing, const std::string& label, bool hollow)
 {

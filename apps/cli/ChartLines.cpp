@@ -22,6 +22,8 @@
 namespace swellray::cli
 {
 
+using namespace drawing;
+
 namespace
 {
 

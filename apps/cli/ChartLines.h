@@ -1,8 +1,8 @@
 #pragma once
 
 #include "Chart.h"
-#include "ColorMap.h"
-#include "Scale.h"
+#include "apps/drawing/ColorMap.h"
+#include "apps/drawing/Scale.h"
 
 #include <map>
 #include <string>
@@ -49,7 +49,7 @@ struct RayColors
     States,
   };
   Kind kind = Kind::Plain;
-  Range range;
+  drawing::Range range;
   std::string name; ///< of the quantity
   std::string unit;
   bool above = false; ///< there are values above the range
@@ -70,7 +70,7 @@ struct ChartLines
 };
 
 /** Colours of the ray states DEAD, ALIVE, FLAT and AGROUND. */
-Rgb stateColor(int state);
+drawing::Rgb stateColor(int state);
 
 /** How the content asks to colour its rays. @throws WorkError where the rays have no such array */
 RayColors chooseRayColors(const ChartContent& content);

@@ -15,6 +15,7 @@ CommandSpec traceSpec(Request& request);
 CommandSpec surfaceSpec(Request& request);
 CommandSpec spectrumSpec(Request& request);
 CommandSpec renderSpec(Request& request);
+CommandSpec viewSpec(Request& request);
 CommandSpec validateSpec(Request& request);
 CommandSpec listSpec();
 

@@ -2,18 +2,14 @@
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 
+#include "BedTrend.h"
 #include "Pipeline.h"
 
 #include "bathymetry/SeafloorReport.h"
-#include "sim/Angles.h"
-#include "sim/SplineSeafloor.h"
 
 #include <fmt/format.h>
-#include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
-#include <vtkPointData.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -35,36 +31,7 @@ nlohmann::ordered_json box(const Rectangle& r)
   return nlohmann::ordered_json::array({ r.low.x, r.low.y, r.high.x, r.high.y });
 }
 
-/** How the bed as a whole slopes: the plane that tracing takes for the contours between offshore and the scene. */
-struct Trend
-{
-  double facing = 0.0; ///< nautical degrees of the seaward normal of its contours
-  double slope = 0.0;  ///< m/m
-};
-
-std::optional<Trend> trendOf(vtkImageData* image, double waterLevel)
-{
-  ElevationGrid grid;
-  grid.columns = static_cast<std::size_t>(image->GetDimensions()[0]);
-  grid.rows = static_cast<std::size_t>(image->GetDimensions()[1]);
-  grid.origin = { image->GetOrigin()[0], image->GetOrigin()[1] };
-  grid.spacing = { image->GetSpacing()[0], image->GetSpacing()[1] };
-  vtkDataArray* elevation = image->GetPointData()->GetArray("Elevation");
-  grid.elevation.resize(grid.columns * grid.rows);
-  for (std::size_t i = 0; i < grid.elevation.size(); ++i)
-  {
-    grid.elevation[i] = elevation->GetComponent(static_cast<vtkIdType>(i), 0);
-  }
-  const BedPlane plane = fitWetPlane(SplineSeafloor(grid), waterLevel);
-  const double slope = glm::length(plane.slope);
-  if (!plane.valid || slope == 0.0)
-  {
-    return {};
-  }
-  return Trend{ nauticalFromVector(plane.slope), slope };
-}
-
-nlohmann::ordered_json toJson(const SeafloorReport& report, const std::optional<Trend>& trend)
+nlohmann::ordered_json toJson(const SeafloorReport& report, const std::optional<BedTrend>& trend)
 {
   const char* kinds[] = { "local", "projected", "geographic" };
   nlohmann::ordered_json json;
@@ -105,7 +72,7 @@ void runInfo(const Request& request, Console& console)
   Pipeline pipeline(request, console);
   vtkSwellSeafloorReader* reader = pipeline.readSeafloor(Pipeline::Notes::Keep);
   const SeafloorReport& report = *reader->GetReport();
-  const std::optional<Trend> trend = trendOf(reader->GetOutput(), report.waterLevel);
+  const std::optional<BedTrend> trend = bedTrendOf(reader->GetOutput(), report.waterLevel);
   if (request.json)
   {
     const auto text = toJson(report, trend).dump(2, ' ', false, nlohmann::json::error_handler_t::replace);

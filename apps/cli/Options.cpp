@@ -15,6 +15,7 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     surfaceSpec(request),
     spectrumSpec(request),
     renderSpec(request),
+    viewSpec(request),
     validateSpec(request),
     listSpec(),
   };

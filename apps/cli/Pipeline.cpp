@@ -84,6 +84,25 @@ void setUp(vtkSwellSeafloorReader* reader, const SeafloorRequest& seafloor)
   reader->SetCrossValidate(options.crossValidate);
 }
 
+// vtkXMLWriter does not notice every failed write, so look for the end of the file.
+bool isComplete(const std::string& path)
+{
+  const std::string ending = "</VTKFile>";
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  constexpr std::streamoff Tail = 32;
+  if (!file || size < Tail)
+  {
+    return false;
+  }
+  std::string tail(static_cast<std::size_t>(Tail), '\0');
+  file.seekg(size - Tail);
+  file.read(tail.data(), Tail);
+  return file.good() && tail.find(ending) != std::string::npos;
+}
+
+}
+
 void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel)
 {
   tracer->SetPeriod(rays.wave.period);
@@ -146,23 +165,12 @@ void setUp(vtkSwellSurface* surface, const SurfaceRequest& options)
   surface->SetSeed(options.seed);
 }
 
-// vtkXMLWriter does not notice every failed write, so look for the end of the file.
-bool isComplete(const std::string& path)
+void setUp(vtkSwellFoam* foam, const SurfaceRequest& options)
 {
-  const std::string ending = "</VTKFile>";
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file.tellg();
-  constexpr std::streamoff Tail = 32;
-  if (!file || size < Tail)
+  if (options.foamLife)
   {
-    return false;
+    foam->SetLife(*options.foamLife);
   }
-  std::string tail(static_cast<std::size_t>(Tail), '\0');
-  file.seekg(size - Tail);
-  file.read(tail.data(), Tail);
-  return file.good() && tail.find(ending) != std::string::npos;
-}
-
 }
 
 Pipeline::Pipeline(const Request& request, Console& console)
@@ -172,10 +180,7 @@ Pipeline::Pipeline(const Request& request, Console& console)
   setUp(this->Tracer, request.rays, request.seafloor.options.waterLevel);
   setUp(this->Heights, request.rays.height);
   setUp(this->Surface, request.surface);
-  if (request.surface.foamLife)
-  {
-    this->Foam->SetLife(*request.surface.foamLife);
-  }
+  setUp(this->Foam, request.surface);
   for (const double level : request.contour.levels)
   {
     this->Contours->AddLevel(level);

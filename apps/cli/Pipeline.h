@@ -24,6 +24,12 @@ class vtkXMLWriter;
 namespace swellray::cli
 {
 
+/** Set a filter up as the request asks. */
+void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel);
+void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options);
+void setUp(vtkSwellSurface* surface, const SurfaceRequest& options);
+void setUp(vtkSwellFoam* foam, const SurfaceRequest& options);
+
 /** The filters that one call needs, set up from its request. Each is run by the step that asks for its output. */
 class Pipeline
 {

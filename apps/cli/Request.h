@@ -113,6 +113,13 @@ struct RenderRequest
   std::string title;                      ///< empty: name of the seafloor
 };
 
+/** The interactive window. */
+struct ViewRequest
+{
+  bool partial = false;                 ///< a direction or a height was given
+  std::array<int, 2> size{ 1280, 800 }; ///< pixels
+};
+
 /** Which cases of known answer are run. */
 struct ValidateRequest
 {
@@ -172,6 +179,7 @@ struct Request
   SpectrumRequest spectrum;
   MildSlopeRequest mildSlope;
   RenderRequest render;
+  ViewRequest view;
   SurfaceRequest surface;
   ValidateRequest validate;
   OutputRequest output;

@@ -1,6 +1,6 @@
 #include "SeafloorPicture.h"
 
-#include "ColorMap.h"
+#include "apps/drawing/ColorMap.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -14,6 +14,8 @@
 
 namespace swellray::cli
 {
+
+using namespace drawing;
 
 namespace
 {

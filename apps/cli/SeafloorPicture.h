@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ColorMap.h"
+#include "apps/drawing/ColorMap.h"
 
 #include <vtkSmartPointer.h>
 
@@ -15,12 +15,12 @@ struct SeafloorColors
   double waterLevel = 0.0; ///< m
   double deepest = 1.0;    ///< depth of the last colour of water, m
   double highest = 1.0;    ///< height over the water of the last colour of land, m
-  Rgb shore{};             ///< of the line between water and land
+  drawing::Rgb shore{};    ///< of the line between water and land
   int shoreWidth = 2;      ///< pixels
 };
 
 /** Colour of the places without data. */
-Rgb noDataColor();
+drawing::Rgb noDataColor();
 
 /** Greatest depth and height of a seafloor, m; 0 where it has no water or no land. */
 struct DepthRange

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace swellray::cli
+namespace swellray::drawing
 {
 
 /** 1, 2 or 5 times a power of ten: the largest that is not above `value`. value > 0. */

@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace swellray::cli
+namespace swellray::drawing
 {
 
 double roundNumber(double value)

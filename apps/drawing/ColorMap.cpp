@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace swellray::cli
+namespace swellray::drawing
 {
 
 Rgb toRgb(const Lab& lab)

@@ -1,6 +1,6 @@
 #include "VirtualDisplay.h"
 
-#include "Failure.h"
+#include <stdexcept>
 
 #include <array>
 #include <csignal>
@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace swellray::cli
+namespace swellray::drawing
 {
 
 namespace
@@ -28,7 +28,8 @@ constexpr int StartTimeout = 20'000; // ms; a loaded machine takes seconds
 
 [[noreturn]] void failWithoutDisplay()
 {
-  throw WorkError("no display to draw on: set DISPLAY, or install Xvfb (package xvfb), or run under 'xvfb-run -a'");
+  throw std::runtime_error(
+    "no display to draw on: set DISPLAY, or install Xvfb (package xvfb), or run under 'xvfb-run -a'");
 }
 
 // VTK has loaded libX11.
@@ -136,6 +137,22 @@ VirtualDisplay::VirtualDisplay()
 VirtualDisplay::~VirtualDisplay()
 {
   this->stop();
+}
+
+bool VirtualDisplay::answers()
+{
+  const char* name = std::getenv("DISPLAY");
+  const auto open = x11<void* (*)(const char*)>("XOpenDisplay");
+  if (!name || !*name || !open)
+  {
+    return false;
+  }
+  void* connection = open(nullptr);
+  if (connection)
+  {
+    x11<int (*)(void*)>("XCloseDisplay")(connection);
+  }
+  return connection != nullptr;
 }
 
 // VTK ends the process where the display that is set does not answer, so ask before. The connection is kept: a server

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-namespace swellray::cli
+namespace swellray::drawing
 {
 
 /** Red, green, blue, 0 to 1, sRGB. */

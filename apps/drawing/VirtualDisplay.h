@@ -1,6 +1,6 @@
 #pragma once
 
-namespace swellray::cli
+namespace swellray::drawing
 {
 
 /**
@@ -9,11 +9,14 @@ namespace swellray::cli
 class VirtualDisplay
 {
 public:
-  /** @throws WorkError where no display answers and no Xvfb can be started */
+  /** @throws std::runtime_error where no display answers and no Xvfb can be started */
   VirtualDisplay();
   ~VirtualDisplay();
   VirtualDisplay(const VirtualDisplay&) = delete;
   VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+  /** Whether the display that DISPLAY names answers; false where none is named. */
+  static bool answers();
 
 private:
   bool connect();
