@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/drawing/ColorMap.h"
 #include "sim/Obstacles.h"
 
 #include <array>
@@ -13,6 +14,14 @@ class vtkPolyData;
 namespace swellray::cli
 {
 
+/** What the frame of a chart counts. */
+enum class ChartFrame
+{
+  Auto,      ///< degrees where the grid is in longitude and latitude, metres otherwise
+  Metric,    ///< metres or kilometres from the scene's origin
+  Graticule, ///< longitude and latitude, with lines over the map
+};
+
 /** Everything that a chart shows; pointers may be null but for the seafloor. */
 struct ChartContent
 {
@@ -21,8 +30,10 @@ struct ChartContent
   vtkPolyData* rays = nullptr;
   vtkPolyData* crests = nullptr; ///< cell array CrestNumber
   std::vector<Obstacle> obstacles;
-  double waterLevel = 0.0; ///< m
-  std::string colorBy;     ///< point array of the rays; empty: one colour
+  double waterLevel = 0.0;                              ///< m
+  std::string colorBy;                                  ///< point array of the rays; empty: one colour
+  const drawing::ColorMap* colors = &drawing::rayMap(); ///< of that array
+  ChartFrame frame = ChartFrame::Auto;
   std::string title;
 };
 

@@ -1,5 +1,6 @@
 #include "ChartItem.h"
 
+#include "Failure.h"
 #include "FieldValues.h"
 
 #include <vtkBrush.h>
@@ -28,11 +29,24 @@ namespace
 
 const Rgb ShoreInk{ 0.27, 0.23, 0.18 };
 
-constexpr double KilometresFrom = 5000.0; // extent from which the axes count in kilometres, m
-
-std::string degreesText(double value, char positive, char negative)
+// None where the frame is metric.
+std::vector<GraticuleLine> graticuleOf(const ChartContent& content)
 {
-  return fmt::format("{:.4f}\u00b0 {}", std::abs(value), value < 0.0 ? negative : positive);
+  const Georeference georeference = georeferenceOf(content.seafloor);
+  const bool geographic = georeference.kind() == GeoreferenceKind::Geographic;
+  if (content.frame == ChartFrame::Metric || (content.frame == ChartFrame::Auto && !geographic))
+  {
+    return {};
+  }
+  double bounds[6];
+  content.seafloor->GetBounds(bounds);
+  std::vector<GraticuleLine> lines = makeGraticule(georeference, bounds);
+  if (lines.empty())
+  {
+    throw WorkError("--frame graticule needs a seafloor with a coordinate reference system: give --crs, or take "
+                    "--frame metric");
+  }
+  return lines;
 }
 
 }
@@ -49,6 +63,7 @@ void ChartItem::setContent(const ChartContent& content, const ChartLayout& layou
   this->Bed.highest = std::max(1e-6, this->Depths.highest);
   this->Bed.shore = ShoreInk;
   this->Bed.shoreWidth = std::max(1, static_cast<int>(std::lround(0.05 * layout.unit)));
+  this->Graticule = graticuleOf(content);
   this->Background = seafloorPicture(
     content.seafloor, this->Bed, static_cast<int>(layout.map.width), static_cast<int>(layout.map.height));
 }
@@ -75,8 +90,8 @@ bool ChartItem::Paint(vtkContext2D* painter)
   {
     const std::string unit = this->Colors.unit.empty() ? "" : " (" + this->Colors.unit + ")";
     this->paintColorScale(
-      painter, y, height, this->Colors.name + unit, this->Colors.range, [](double t) { return rayMap().rgb(t); }, false,
-      this->Colors.above, this->Colors.below);
+      painter, y, height, this->Colors.name + unit, this->Colors.range,
+      [this](double t) { return this->Content.colors->rgb(t); }, false, this->Colors.above, this->Colors.below);
     y -= height + 0.5 * spare;
   }
   this->paintColorScale(
@@ -189,6 +204,7 @@ void ChartItem::paintMap(vtkContext2D* painter)
     static_cast<int>(map.height) };
   painter->GetDevice()->SetClipping(clip);
   painter->GetDevice()->EnableClipping(true);
+  this->paintGraticule(painter);
   for (const PixelLine& line : this->Lines.lines)
   {
     this->paintLine(painter, line);
@@ -222,67 +238,6 @@ void ChartItem::paintMap(vtkContext2D* painter)
   painter->GetBrush()->SetOpacity(0);
   painter->DrawRect(static_cast<float>(map.x), static_cast<float>(map.y), static_cast<float>(map.width),
     static_cast<float>(map.height));
-}
-
-void ChartItem::paintAxes(vtkContext2D* painter)
-{
-  const double u = this->Layout.unit;
-  const PixelBox& map = this->Layout.map;
-  double bounds[6];
-  this->Content.seafloor->GetBounds(bounds);
-  const double extent = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  const bool kilometres = extent >= KilometresFrom;
-  const double metres = kilometres ? 1000.0 : 1.0;
-  const char* unit = kilometres ? "km" : "m";
-
-  painter->GetTextProp()->SetColor(Ink[0], Ink[1], Ink[2]);
-  // Ticks of both axes have the same step, where the shorter one then still has some.
-  const Ticks longer = ticksWithin(0.0, extent / metres, 7);
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    const double low = bounds[2 * axis] / metres;
-    const double high = bounds[2 * axis + 1] / metres;
-    Ticks ticks = ticksWithin(low, high, 7);
-    if ((high - low) / longer.step >= 2.0)
-    {
-      ticks = ticksWithin(low, high, std::max(1, static_cast<int>(1.001 * (high - low) / longer.step)));
-    }
-    for (const double value : ticks.values)
-    {
-      const double share = (value - low) / (high - low);
-      this->pen(painter, Ink, 0.07 * u);
-      if (axis == 0)
-      {
-        const double x = map.x + share * map.width;
-        painter->DrawLine(static_cast<float>(x), static_cast<float>(map.y), static_cast<float>(x),
-          static_cast<float>(map.y - 0.45 * u));
-        this->text(painter, x, map.y - 1.25 * u, ticks.label(value), 0.85 * u, Align::Center);
-      }
-      else
-      {
-        const double y = map.y + share * map.height;
-        painter->DrawLine(static_cast<float>(map.x), static_cast<float>(y), static_cast<float>(map.x - 0.45 * u),
-          static_cast<float>(y));
-        this->text(painter, map.x - 0.75 * u, y, ticks.label(value), 0.85 * u, Align::Right);
-      }
-    }
-  }
-
-  const Georeference georeference = georeferenceOf(this->Content.seafloor);
-  std::string east = fmt::format("x, east ({})", unit);
-  std::string north = fmt::format("y, north ({})", unit);
-  if (georeference.kind() == GeoreferenceKind::Geographic)
-  {
-    east = fmt::format("{} east of {}", unit, degreesText(georeference.originLongitude(), 'E', 'W'));
-    north = fmt::format("{} north of {}", unit, degreesText(georeference.originLatitude(), 'N', 'S'));
-  }
-  else if (georeference.originX() != 0.0 || georeference.originY() != 0.0)
-  {
-    east = fmt::format("{} east of x = {:.10g}", unit, georeference.originX());
-    north = fmt::format("{} north of y = {:.10g}", unit, georeference.originY());
-  }
-  this->text(painter, map.x + 0.5 * map.width, map.y - 2.7 * u, east, 0.9 * u, Align::Center, map.width);
-  this->text(painter, map.x - 4.1 * u, map.y + 0.5 * map.height, north, 0.9 * u, Align::Center, 0.0, false, 90.0);
 }
 
 void ChartItem::paintHeading(vtkContext2D* painter)

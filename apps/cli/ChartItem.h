@@ -4,6 +4,8 @@
 #include "ChartLines.h"
 #include "SeafloorPicture.h"
 
+#include "apps/drawing/Graticule.h"
+
 #include <vtkContextItem.h>
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
@@ -39,12 +41,22 @@ private:
     Right,
   };
 
+  enum class Arrow
+  {
+    North,
+    Grid,
+    Waves,
+  };
+
   void paintMap(vtkContext2D* painter);
   void paintLine(vtkContext2D* painter, const PixelLine& line);
+  void paintGraticule(vtkContext2D* painter);
   void paintAxes(vtkContext2D* painter);
+  void paintMetricAxes(vtkContext2D* painter);
+  void paintDegreeAxes(vtkContext2D* painter);
   void paintHeading(vtkContext2D* painter);
   double paintArrows(vtkContext2D* painter, double top);
-  void paintArrow(vtkContext2D* painter, double x, double y, double bearing, const std::string& label, bool hollow);
+  void paintArrow(vtkContext2D* painter, double x, double y, double bearing, const std::string& label, Arrow kind);
   void paintColorScale(vtkContext2D* painter, double top, double height, const std::string& title,
     const drawing::Range& range, const std::function<drawing::Rgb(double)>& color, bool downwards, bool above,
     bool below);
@@ -62,6 +74,7 @@ private:
   ChartLines Lines;
   SeafloorColors Bed;
   DepthRange Depths;
+  std::vector<drawing::GraticuleLine> Graticule; // none: a metric frame
   vtkSmartPointer<vtkImageData> Background;
 };
 

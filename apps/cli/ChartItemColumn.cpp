@@ -20,8 +20,16 @@ namespace swellray::cli
 
 using namespace drawing;
 
+namespace
+{
+
+// Below this, degrees, true north and grid north are one to the eye.
+constexpr double LeastConvergence = 0.1;
+
+}
+
 void ChartItem::paintArrow(
-  vtkContext2D* painter, double x, double y, double bearing, const std::string& label, bool hollow)
+  vtkContext2D* painter, double x, double y, double bearing, const std::string& label, Arrow kind)
 {
   const double u = this->Layout.unit;
   const double turn = radians(bearing);
@@ -31,7 +39,17 @@ void ChartItem::paintArrow(
       static_cast<float>(y + u * (forward * std::cos(turn) - right * std::sin(turn))) };
   };
   this->pen(painter, Ink, 0.09 * u);
-  if (hollow)
+  if (kind == Arrow::Grid)
+  {
+    const auto foot = corner(0.0, -1.6);
+    const auto top = corner(0.0, 1.75);
+    const auto left = corner(-0.45, 0.9);
+    const auto right = corner(0.45, 0.9);
+    painter->DrawLine(foot[0], foot[1], top[0], top[1]);
+    painter->DrawLine(left[0], left[1], top[0], top[1]);
+    painter->DrawLine(right[0], right[1], top[0], top[1]);
+  }
+  else if (kind == Arrow::Waves)
   {
     const auto from = corner(0.0, -1.7);
     const auto to = corner(0.0, 1.0);
@@ -61,7 +79,7 @@ void ChartItem::paintArrow(
     float outline[8] = { tip[0], tip[1], notch[0], notch[1], right[0], right[1], tip[0], tip[1] };
     painter->DrawPoly(outline, 4);
   }
-  this->text(painter, x, y - 2.75 * u, label, 0.85 * u, Align::Center, 6.0 * u);
+  this->text(painter, x, y - 2.75 * u, label, 0.85 * u, Align::Center, 3.8 * u);
 }
 
 double ChartItem::paintArrows(vtkContext2D* painter, double top)
@@ -75,12 +93,24 @@ double ChartItem::paintArrows(vtkContext2D* painter, double top)
   // True north lies this much anticlockwise from the map's upward axis.
   const double convergence = georeference.convergence({ 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) });
   const bool known = std::isfinite(convergence) && georeference.kind() != GeoreferenceKind::Local;
-  this->paintArrow(painter, column.x + 2.6 * u, y, known ? -convergence : 0.0, known ? "true north" : "north", false);
+  const bool two = known && std::abs(convergence) >= LeastConvergence;
   const auto direction =
     this->Content.rays ? fieldNumber(this->Content.rays, "DirectionFrom") : std::optional<double>();
+  const double first = two ? 2.0 : 2.6;
+  const double last = two ? 10.6 : 9.0;
+  this->paintArrow(
+    painter, column.x + first * u, y, known ? -convergence : 0.0, known ? "true north" : "north", Arrow::North);
+  if (two)
+  {
+    const double middle = direction ? 0.5 * (first + last) : last - 2.0;
+    this->paintArrow(painter, column.x + middle * u, y, 0.0, "grid north", Arrow::Grid);
+    painter->GetTextProp()->SetColor(Ink[0], Ink[1], Ink[2]);
+    this->text(painter, column.x + 0.5 * (first + middle) * u, y + 2.3 * u,
+      fmt::format("{:.1f}\u00b0", std::abs(convergence)), 0.75 * u, Align::Center);
+  }
   if (direction)
   {
-    this->paintArrow(painter, column.x + 9.0 * u, y, *direction + 180.0, "waves go", true);
+    this->paintArrow(painter, column.x + last * u, y, *direction + 180.0, "waves go", Arrow::Waves);
   }
   return y - 4.6 * u;
 }
@@ -186,7 +216,7 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
   {
     if (scale)
     {
-      return [](double t) { return rayMap().rgb(t); };
+      return [this](double t) { return this->Content.colors->rgb(t); };
     }
     const Rgb color = lineColor(kind);
     return [color](double) { return color; };

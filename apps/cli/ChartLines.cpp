@@ -305,16 +305,16 @@ std::vector<vtkIdType> raysToDraw(vtkPolyData* rays, int stride)
 class RayLinesMaker
 {
 public:
-  RayLinesMaker(ChartLines& lines, vtkPolyData* rays, const RayColors& colors, const std::string& colorBy,
-    const Projection& project)
+  RayLinesMaker(ChartLines& lines, const ChartContent& content, const RayColors& colors, const Projection& project)
     : Lines(lines)
-    , Rays(rays)
+    , Rays(content.rays)
     , Colors(colors)
+    , Map(*content.colors)
     , Project(project)
-    , Value(rays->GetPointData()->GetArray(colorBy.c_str()))
-    , State(rays->GetPointData()->GetArray("RayState"))
-    , Breaking(rays->GetPointData()->GetArray("Breaking"))
-    , Lee(rays->GetCellData()->GetArray("LeeRay"))
+    , Value(content.rays->GetPointData()->GetArray(content.colorBy.c_str()))
+    , State(content.rays->GetPointData()->GetArray("RayState"))
+    , Breaking(content.rays->GetPointData()->GetArray("Breaking"))
+    , Lee(content.rays->GetCellData()->GetArray("LeeRay"))
   {
   }
 
@@ -375,7 +375,7 @@ private:
       {
         return AgroundColor;
       }
-      return rayMap().rgb(this->Colors.range.share(value));
+      return this->Map.rgb(this->Colors.range.share(value));
     }
     default:
       return aground ? AgroundColor : PlainRayColor;
@@ -385,6 +385,7 @@ private:
   ChartLines& Lines;
   vtkPolyData* Rays;
   const RayColors& Colors;
+  const ColorMap& Map;
   const Projection& Project;
   vtkDataArray* Value;
   vtkDataArray* State;
@@ -485,7 +486,7 @@ ChartLines makeChartLines(const ChartContent& content, const ChartLayout& layout
   if (content.rays)
   {
     lines.rayStride = rayStride(content.rays, layout, project);
-    RayLinesMaker maker(lines, content.rays, colors, content.colorBy, project);
+    RayLinesMaker maker(lines, content, colors, project);
     for (const vtkIdType ray : raysToDraw(content.rays, lines.rayStride))
     {
       maker.add(ray);

@@ -102,6 +102,8 @@ void runRender(const Request& request, Console& console)
   content.seafloor = seafloor;
   content.waterLevel = request.seafloor.options.waterLevel;
   content.title = titleOf(request);
+  content.colors = drawing::quantityMaps()[request.render.colorMap].second;
+  content.frame = request.render.frame;
   content.colorBy = request.render.colorBy == "none" ? "" : request.render.colorBy;
 
   vtkSmartPointer<vtkPolyData> rays;
@@ -156,10 +158,21 @@ CommandSpec renderSpec(Request& request)
   OptionSpec size{ "--size", "WxH", "size of the picture, pixels", "1600 wide, high as the scene asks", "Picture",
     false, {} };
   size.set = [&render](const std::string& typed) { render.size = parseSize("--size", typed); };
+  std::vector<std::pair<std::string, std::size_t>> colorMaps;
+  for (const auto& map : drawing::quantityMaps())
+  {
+    colorMaps.emplace_back(map.first, colorMaps.size());
+  }
   spec.options = { outputFile("-o,--output", "picture, .png or .jpg", request.output.file, { ".png", ".jpg" }), size,
     text("--rays", "FILE", "rays that 'swellray trace' wrote, .vtp", "", "Picture", render.rays),
     text("--crests", "FILE|auto", "crest lines from a file, or made from the rays", "", "Picture", render.crests),
     text("--color-by", "ARRAY", "colour the rays by this array, or 'none'", "WaveHeight", "Picture", render.colorBy),
+    choice("--color-map", "scale of colours of the rays; all are even to the eye and safe for colour-blind ones",
+      "warm", "Picture", render.colorMap, colorMaps),
+    choice("--frame", "what the frame counts: metres, or longitude and latitude", "auto: as the grid does", "Picture",
+      render.frame,
+      std::vector<std::pair<std::string, ChartFrame>>{
+        { "auto", ChartFrame::Auto }, { "metric", ChartFrame::Metric }, { "graticule", ChartFrame::Graticule } }),
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
   spec.options.front().required = true;
   add(spec.options, contourOptions(request.contour));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "Chart.h"
+
 #include "bathymetry/SeafloorOptions.h"
 #include "sim/AmplitudeDispersion.h"
 #include "sim/IncidentWave.h"
@@ -109,6 +111,8 @@ struct RenderRequest
   std::string rays;   ///< file to draw; empty: none
   std::string crests; ///< file to draw, or CrestsFromRays; empty: none
   std::string colorBy = "WaveHeight";
+  std::size_t colorMap = 0; ///< of drawing::quantityMaps()
+  ChartFrame frame = ChartFrame::Auto;
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
   std::string title;                      ///< empty: name of the seafloor
 };
@@ -163,7 +167,7 @@ struct OutputRequest
   std::string crests;
   std::string breakerLine;
   std::string map;
-  std::string table;      ///< waves at the stations
+  std::string table;   ///< waves at the stations
   std::string spectra; ///< spectra at the stations
   bool compress = false;
   bool points = false; ///< in a .gpkg the points of lines too

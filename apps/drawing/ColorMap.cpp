@@ -54,4 +54,16 @@ const ColorMap& rayMap()
   return map;
 }
 
+const std::vector<std::pair<std::string, const ColorMap*>>& quantityMaps()
+{
+  static const ColorMap viridis({ { 15, 41, -32 }, { 22, 36, -39 }, { 29, 25, -40 }, { 36, 9, -34 }, { 42, -6, -26 },
+    { 48, -18, -17 }, { 54, -31, -7 }, { 60, -41, 6 }, { 67, -50, 22 }, { 73, -52, 42 }, { 79, -45, 63 },
+    { 85, -29, 80 }, { 91, -10, 85 } });
+  static const ColorMap cividis({ { 14, 8, -30 }, { 22, 12, -39 }, { 30, 5, -25 }, { 37, 2, -13 }, { 44, 1, -4 },
+    { 52, 0, 2 }, { 59, -2, 13 }, { 67, -3, 27 }, { 74, -5, 43 }, { 83, -7, 63 }, { 91, -10, 81 } });
+  static const std::vector<std::pair<std::string, const ColorMap*>> maps{ { "warm", &rayMap() },
+    { "viridis", &viridis }, { "cividis", &cividis } };
+  return maps;
+}
+
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace swellray::drawing
@@ -48,5 +50,12 @@ const ColorMap& landMap();
 
 /** Heights and other quantities along rays: pale yellow over orange to dark purple, readable over blue. */
 const ColorMap& rayMap();
+
+/**
+ * Scales for quantities along rays by name: `warm` (rayMap), `viridis` (S. van der Walt and N. Smith, SciPy conference
+ * 2015) and `cividis` (J. R. Nunez, C. R. Anderton and R. S. Renslow, PLoS ONE 13(7), 2018), these two by anchors of our own
+ * measured in L*a*b*. Lightness goes one way along each of them, so that they read the same to any eye and in grey.
+ */
+const std::vector<std::pair<std::string, const ColorMap*>>& quantityMaps();
 
 }
