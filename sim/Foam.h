@@ -42,4 +42,8 @@ struct FoamPlaces
 void computeFoam(
   const FoamPlaces& places, double time, const FoamOptions& options, float* foam, const Execution& execution = {});
 
+/** The same of one place; the options are taken as good. */
+double foamAt(
+  double phase, double breakingPhase, double launchParameter, double time, const FoamOptions& options);
+
 }

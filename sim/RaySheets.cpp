@@ -1,6 +1,7 @@
 #include "sim/RaySheets.h"
 
 #include "sim/RayField.h"
+#include "sim/SheetWeights.h"
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
@@ -40,11 +41,6 @@ constexpr double OffWall = 1e-3;
 
 // Share of the size of the scene.
 constexpr double InwardShare = 1e-7;
-
-double cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-  return a.x * b.y - a.y * b.x;
-}
 
 }
 
@@ -407,26 +403,14 @@ Rectangle RaySheets::box(const Triangle& triangle) const
   return { glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)) };
 }
 
-double RaySheets::side(std::int64_t a, std::int64_t b, const glm::dvec2& place) const
-{
-  // Computed the same way for either triangle at the edge, or rounding would count a place twice or not at all.
-  const std::int64_t low = std::min(a, b);
-  const glm::dvec2 from = this->position(low);
-  const double value = cross(this->position(std::max(a, b)) - from, place - from);
-  const double whole = value == 0.0 ? std::numeric_limits<double>::min() : value;
-  return low == a ? whole : -whole;
-}
-
 bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveSheet& wave) const
 {
-  std::array<double, 3> weight = { this->side(triangle[1], triangle[2], place),
-    this->side(triangle[2], triangle[0], place), this->side(triangle[0], triangle[1], place) };
-  const bool positive = weight[0] > 0.0;
-  if ((weight[1] > 0.0) != positive || (weight[2] > 0.0) != positive)
+  const SheetWeights weights(this->Rays.lines.positions, triangle, place);
+  if (!weights.inside)
   {
     return false;
   }
-  const double area = weight[0] + weight[1] + weight[2];
+  const std::array<double, 3>& weight = weights.weight;
   wave = WaveSheet();
   double inverseSquare = 0.0;
   double width = 0.0;
@@ -434,7 +418,6 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
   std::size_t heaviest = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
-    weight[i] /= area;
     heaviest = weight[i] > weight[heaviest] ? i : heaviest;
     const std::int64_t point = triangle[i];
     const double* direction = this->Rays.direction + 3 * point;
@@ -462,7 +445,7 @@ bool RaySheets::wave(const Triangle& triangle, const glm::dvec2& place, WaveShee
   wave.caustics = this->Rays.caustics[triangle[heaviest]];
   // The launch parameter grows to the left of the rays: a tube that has not turned over is anticlockwise.
   wave.reflections = this->Reflections.empty() ? 0 : this->Reflections[static_cast<std::size_t>(triangle[0])];
-  const int parity = (positive ? 0 : 1) ^ (wave.reflections % 2);
+  const int parity = (weights.anticlockwise ? 0 : 1) ^ (wave.reflections % 2);
   for (std::size_t i = 0; i < 3 && wave.caustics % 2 != parity; ++i)
   {
     wave.caustics = this->Rays.caustics[triangle[i]] % 2 == parity ? this->Rays.caustics[triangle[i]] : wave.caustics;

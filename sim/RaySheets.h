@@ -112,7 +112,6 @@ private:
 
   glm::dvec2 position(std::int64_t point) const;
   std::int64_t besideWall(std::int64_t point) const;
-  double side(std::int64_t a, std::int64_t b, const glm::dvec2& place) const;
 
   SheetRays Rays;
   std::vector<std::uint8_t> LeePoint;    // a point

@@ -52,7 +52,6 @@ struct WaveSurface::Run
 {
   std::size_t first = 0;
   std::size_t count = 0;
-  double omega = 0.0;
   bool broken = false;
   std::array<double, RunSize> phase;
   std::array<double, RunSize> along;
@@ -146,8 +145,13 @@ double WaveSurface::breakingPhase(std::size_t point) const
   return this->phase(point) + (stretch ? stretch->begin - phase : 0.0);
 }
 
-CrestState WaveSurface::crestOf(std::size_t ray, double phase, double delay) const
+CrestState WaveSurface::crest(
+  std::size_t ray, double phase, std::int64_t wave, const WaveSection& section) const
 {
+  const double largestDelay = 2.0 * Pi * section.variation();
+  const double delay = largestDelay > 0.0 ? largestDelay *
+      breakingDelay(this->Options.seed, wave, this->Sheet.LaunchParameter[ray], this->Options.wavelength)
+                                          : 0.0;
   // Before an inserted ray began its waves were those of the ray beside it.
   while (this->Sheet.Parent[ray] >= 0 && phase < this->Histories[ray].firstPhase())
   {
@@ -177,7 +181,6 @@ void WaveSurface::displace(
   // What lies on the beach stays there.
   const double omega = 2.0 * Pi / this->Options.period;
   Run still;
-  still.omega = omega;
   still.count = 1;
   still.along[0] = still.alongRate[0] = still.upRate[0] = 0.0;
   for (std::size_t i = this->Sheet.rayPointCount(); i < this->Sheet.pointCount(); ++i)
@@ -198,12 +201,12 @@ void WaveSurface::displaceByOwnPhase(
 {
   const SurfaceSheet& sheet = this->Sheet;
   Run run;
-  run.omega = 2.0 * Pi / this->Options.period;
+  const double omega = 2.0 * Pi / this->Options.period;
   run.count = 1;
   const auto last = static_cast<std::size_t>(sheet.Offsets[ray + 1]);
   for (std::size_t i = static_cast<std::size_t>(sheet.Offsets[ray]); i < last; ++i)
   {
-    const double phase = this->OwnPhase[i] - run.omega * time;
+    const double phase = this->OwnPhase[i] - omega * time;
     run.first = i;
     run.phase[0] = phase - 2.0 * Pi * std::round(phase / (2.0 * Pi));
     CrestState crest;
@@ -232,9 +235,7 @@ void WaveSurface::displaceRay(
   const double omega = 2.0 * Pi / this->Options.period;
   const double passed = omega * time;
   const auto last = static_cast<std::size_t>(sheet.Offsets[ray + 1]);
-  const double largestDelay = 2.0 * Pi * section.variation();
   Run run;
-  run.omega = omega;
   for (run.first = static_cast<std::size_t>(sheet.Offsets[ray]); run.first < last; run.first += run.count)
   {
     const double wave = std::round((sheet.Phase[run.first] - passed) / (2.0 * Pi));
@@ -271,11 +272,7 @@ void WaveSurface::displaceRay(
     }
     else
     {
-      const double delay = largestDelay > 0.0 ? largestDelay *
-          breakingDelay(
-            this->Options.seed, static_cast<std::int64_t>(wave), sheet.LaunchParameter[ray], this->Options.wavelength)
-                                              : 0.0;
-      const CrestState crest = this->crestOf(ray, crestPhase, delay);
+      const CrestState crest = this->crest(ray, crestPhase, static_cast<std::int64_t>(wave), section);
       run.broken = crest.plunge > 0.0;
       section.displace(crest,
         { run.count, run.phase.data(), sheet.Height.data() + run.first, sheet.Wavenumber.data() + run.first,
@@ -286,44 +283,58 @@ void WaveSurface::displaceRay(
   }
 }
 
+MovedPlace WaveSurface::move(const StillPlace& still, const SectionPoint& moved) const
+{
+  double along = moved.along;
+  double alongRate = moved.alongRate;
+  if (still.slope > 0.0 && along > 0.0 && still.depth - still.slope * along < this->ShoreDepth)
+  {
+    along = std::min(along, std::max(0.0, (still.depth - this->ShoreDepth) / still.slope));
+    alongRate = 0.0;
+  }
+  const glm::dvec2 at = still.position + along * still.direction;
+  double depth = still.depth - still.slope * along;
+  if (depth < ShallowDepths * still.height)
+  {
+    depth = this->Options.waterLevel - this->Bed.elevation(at);
+  }
+  const double k = still.wavenumber;
+  const double omega = 2.0 * Pi / this->Options.period;
+  double up = moved.up;
+  MovedPlace place;
+  place.normal = { -k * moved.upRate * still.direction, 1.0 + k * alongRate };
+  place.velocity = { -omega * alongRate * still.direction, -omega * moved.upRate };
+  if (up < Film - depth)
+  {
+    up = Film - depth;
+    place.normal = { still.slope * -still.direction, 1.0 };
+    place.velocity = glm::dvec3(0.0);
+  }
+  place.position = { at, this->Options.waterLevel + up };
+  place.depth = depth;
+  return place;
+}
+
 void WaveSurface::place(const Run& run, const SurfaceArrays& arrays) const
 {
   const SurfaceSheet& sheet = this->Sheet;
   for (std::size_t j = 0; j < run.count; ++j)
   {
     const std::size_t i = run.first + j;
-    const glm::dvec2 direction(sheet.Direction[3 * i], sheet.Direction[3 * i + 1]);
-    double along = run.along[j];
-    double alongRate = run.alongRate[j];
-    if (sheet.Slope[i] > 0.0 && along > 0.0 && sheet.Depth[i] - sheet.Slope[i] * along < this->ShoreDepth)
-    {
-      along = std::min(along, std::max(0.0, (sheet.Depth[i] - this->ShoreDepth) / sheet.Slope[i]));
-      alongRate = 0.0;
-    }
-    const glm::dvec2 at = glm::dvec2(sheet.Position[3 * i], sheet.Position[3 * i + 1]) + along * direction;
-    double depth = sheet.Depth[i] - sheet.Slope[i] * along;
-    if (depth < ShallowDepths * sheet.Height[i])
-    {
-      depth = this->Options.waterLevel - this->Bed.elevation(at);
-    }
-    const double k = sheet.Wavenumber[i];
-    double up = run.up[j];
-    glm::dvec3 normal(-k * run.upRate[j] * direction, 1.0 + k * alongRate);
-    glm::dvec3 velocity(-run.omega * alongRate * direction, -run.omega * run.upRate[j]);
-    if (up < Film - depth)
-    {
-      up = Film - depth;
-      normal = { sheet.Slope[i] * -direction, 1.0 };
-      velocity = glm::dvec3(0.0);
-    }
+    const StillPlace still{ { sheet.Position[3 * i], sheet.Position[3 * i + 1] },
+      { sheet.Direction[3 * i], sheet.Direction[3 * i + 1] }, sheet.Height[i], sheet.Wavenumber[i], sheet.Depth[i],
+      sheet.Slope[i] };
+    const MovedPlace moved = this->move(still, { run.along[j], run.up[j], run.alongRate[j], run.upRate[j] });
     if (arrays.position)
     {
-      arrays.position[3 * i] = at.x;
-      arrays.position[3 * i + 1] = at.y;
-      arrays.position[3 * i + 2] = this->Options.waterLevel + up;
+      for (int c = 0; c < 3; ++c)
+      {
+        arrays.position[3 * i + static_cast<std::size_t>(c)] = moved.position[c];
+      }
     }
     if (arrays.normal)
     {
+      const glm::dvec3& normal = moved.normal;
       const double size = std::sqrt(normal.x * normal.x + normal.y * normal.y + normal.z * normal.z);
       for (int c = 0; c < 3; ++c)
       {
@@ -335,12 +346,12 @@ void WaveSurface::place(const Run& run, const SurfaceArrays& arrays) const
     {
       for (int c = 0; c < 3; ++c)
       {
-        arrays.velocity[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(velocity[c]);
+        arrays.velocity[3 * i + static_cast<std::size_t>(c)] = static_cast<float>(moved.velocity[c]);
       }
     }
     if (arrays.depth)
     {
-      arrays.depth[i] = depth;
+      arrays.depth[i] = moved.depth;
     }
     if (arrays.breaking)
     {

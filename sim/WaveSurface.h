@@ -6,6 +6,9 @@
 #include "sim/SurfaceSheet.h"
 #include "sim/sections/WaveSection.h"
 
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -40,6 +43,26 @@ struct SurfaceArrays
   std::uint8_t* breaking = nullptr; ///< 1 where the wave that is there is broken
 };
 
+/** A place of the undisturbed surface and the wave there. */
+struct StillPlace
+{
+  glm::dvec2 position{ 0.0 };       ///< m
+  glm::dvec2 direction{ 1.0, 0.0 }; ///< unit vector of the wavenumber
+  double height = 0.0;              ///< H, m
+  double wavenumber = 1.0;          ///< rad/m
+  double depth = 1.0;               ///< m
+  double slope = 0.0;               ///< of the bed along the wave, tan(beta)
+};
+
+/** Where such a place is at a time. */
+struct MovedPlace
+{
+  glm::dvec3 position{ 0.0 };         ///< m
+  glm::dvec3 normal{ 0.0, 0.0, 1.0 }; ///< of any size
+  glm::dvec3 velocity{ 0.0 };         ///< of the particle, m/s
+  double depth = 0.0;                 ///< of the bed below still water under the position, m
+};
+
 /**
  * The breaking-wave surface: a sheet of rays moved by a vertical section, at any time by itself.
  *
@@ -69,6 +92,27 @@ public:
    */
   void setPhase(const StraightPhase& phase);
 
+  /** Where a section takes a place: along its direction and up, held by the shore and the bed. */
+  MovedPlace move(const StillPlace& still, const SectionPoint& moved) const;
+
+  /**
+   * State at the time of a phase S of the wave n whose crest passes there, on a ray.
+   * @param section whose variation delays the breaking
+   */
+  CrestState crest(std::size_t ray, double phase, std::int64_t wave, const WaveSection& section) const;
+
+  const SurfaceSheet& sheet() const { return this->Sheet; }
+  const SurfaceOptions& options() const { return this->Options; }
+
+  /** What becomes of waves along a ray. */
+  const SurfHistory& history(std::size_t ray) const { return this->Histories[ray]; }
+
+  /** True where another phase than the traced one moves the surface. */
+  bool hasOwnPhase() const { return !this->OwnPhase.empty(); }
+
+  /** H/h over that at which waves break next, of a point of a ray, 0 to 1. */
+  double ripeness(std::size_t point) const { return this->Ripeness[point]; }
+
   /** Phase S by which a point of the sheet moves. */
   double phase(std::size_t point) const;
 
@@ -80,7 +124,6 @@ private:
 
   void displaceRay(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
   void displaceByOwnPhase(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
-  CrestState crestOf(std::size_t ray, double phase, double delay) const;
   void place(const Run& run, const SurfaceArrays& arrays) const;
 
   const SurfaceSheet& Sheet;

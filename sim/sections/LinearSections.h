@@ -11,6 +11,8 @@ namespace swellray
 class AirySection : public PointwiseSection<AirySection>
 {
 public:
+  bool movesAlong() const override { return false; }
+
   Displacement displacement(const Shape&, const SectionPlace& place, const Dual& phase) const
   {
     return { 0.0, 0.5 * place.height * sineCosine(phase).cosine };

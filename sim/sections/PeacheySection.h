@@ -33,6 +33,8 @@ public:
 
   explicit PeacheySection(const Parameters& parameters);
 
+  bool movesAlong() const override { return false; }
+
   /** The power of u at a depth ratio delta. */
   double power(double depthRatio) const;
 

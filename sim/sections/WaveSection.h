@@ -86,6 +86,9 @@ public:
   /** Largest delay of the breaking of single waves, in wavelengths, >= 0: no two break at quite the same place. */
   virtual double variation() const { return 0.0; }
 
+  /** False where places move up and down only: one height a place. */
+  virtual bool movesAlong() const { return true; }
+
   /** One place. */
   SectionPoint at(const CrestState& crest, const SectionPlace& place) const;
 };
