@@ -72,7 +72,7 @@ TEST(SurfaceFunction, isAirysWaveOnWaterOfOneDepth)
   for (const double time : { 0.0, 1.7, -4.2, 1000.3 })
   {
     for (const glm::dvec2 place : { glm::dvec2(0.0, 0.0), glm::dvec2(13.13, 7.7), glm::dvec2(61.0, 10.0),
-           glm::dvec2(99.99, 0.01), glm::dvec2(120.0, 20.0) })
+           glm::dvec2(99.99, 0.01), glm::dvec2(119.0, 20.0) })
     {
       const SurfaceValue value = function.at(place, time, motionOf(*section));
       const double phase = K * place.x - omega * time;
@@ -132,12 +132,12 @@ TEST(SurfaceFunction, isTheTopOfTheMeshWhereWavesBreak)
       {
         const glm::dvec2 place(surface.Position[3 * i], surface.Position[3 * i + 1]);
         const double z = surface.Position[3 * i + 2];
-        if (place.x < 5.0 || place.x > 110.0)
+        if (surface.Sheet.Position[3 * i] < 1.0 || place.x < 5.0 || place.x > 110.0)
         {
           continue; // where the sheet itself moves in and out
         }
         const SurfaceValue value = function.at(place, time, motionOf(*section));
-        ASSERT_TRUE(value.covered) << named.name;
+        ASSERT_TRUE(value.covered) << named.name << " " << time << " " << place.x << " " << surface.Sheet.Position[3 * i];
         ++points;
         equal += std::abs(value.elevation - z) < Found ? 1 : 0;
         // Vertical faces cross the film over the bed at no one height.
@@ -220,12 +220,13 @@ TEST(SurfaceFunction, sumsWavesThatCross)
   std::vector<SheetPlace> sheets;
   function.cover(place, sheets);
   ASSERT_EQ(sheets.size(), 2u);
+  const SheetPlace& main = sheets[sheets[0].still.direction.x > 0.5 ? 0 : 1];
   const SurfaceValue value = function.at(place, 0.0, motionOf(*section));
   EXPECT_EQ(value.sheets, 2u);
   const double across = 0.2 * std::cos(K * place.y);
-  EXPECT_NEAR(value.elevation, 0.5 * std::cos(sheets[0].phase) + across, Rounding);
+  EXPECT_NEAR(value.elevation, 0.5 * std::cos(main.phase) + across, Rounding);
   EXPECT_NEAR(value.normal.y / value.normal.z,
-    0.2 * K * std::sin(K * place.y) + 0.5 * K * std::sin(sheets[0].phase) * sheets[0].still.direction.y, Rounding);
+    0.2 * K * std::sin(K * place.y) + 0.5 * K * std::sin(main.phase) * main.still.direction.y, Rounding);
 }
 
 TEST(SurfaceFunction, hasNoWaterBesideTheSheet)
