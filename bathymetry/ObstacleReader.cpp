@@ -14,8 +14,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace swellray
 {
@@ -30,6 +33,7 @@ using Ring = CGAL::Polygon_2<Kernel>;
 constexpr double Straight = 1e-6;
 
 constexpr const char* ReflectionProperty = "reflection";
+constexpr const char* SlopeProperty = "slope";
 
 struct CloseDataset
 {
@@ -171,6 +175,24 @@ private:
     }
   }
 
+  // A property from 0 to `most`; none where the feature has none.
+  static std::optional<double> numberOf(
+    const OGRFeature& feature, const char* property, double most, const std::string& range)
+  {
+    const int field = feature.GetFieldIndex(property);
+    if (field < 0 || !feature.IsFieldSetAndNotNull(field))
+    {
+      return {};
+    }
+    const double value = feature.GetFieldAsDouble(field);
+    if (!(value >= 0.0 && value <= most))
+    {
+      throw std::runtime_error("feature " + std::to_string(feature.GetFID()) + ": its property " + property +
+        " must be " + range + ", not '" + feature.GetFieldAsString(field) + "'");
+    }
+    return value;
+  }
+
   void addFeature(const OGRFeature& feature)
   {
     const OGRGeometry* geometry = feature.GetGeometryRef();
@@ -178,17 +200,9 @@ private:
     {
       return;
     }
-    this->Reflection = this->Standard;
-    const int field = feature.GetFieldIndex(ReflectionProperty);
-    if (field >= 0 && feature.IsFieldSetAndNotNull(field))
-    {
-      this->Reflection = feature.GetFieldAsDouble(field);
-      if (!(this->Reflection >= 0.0 && this->Reflection <= 1.0))
-      {
-        throw std::runtime_error("feature " + std::to_string(feature.GetFID()) +
-          ": its property reflection must be 0 to 1, not '" + feature.GetFieldAsString(field) + "'");
-      }
-    }
+    this->Reflection = numberOf(feature, ReflectionProperty, 1.0, "0 to 1").value_or(this->Standard);
+    this->Slope =
+      numberOf(feature, SlopeProperty, std::numeric_limits<double>::max(), "0 (vertical) or above").value_or(0.0);
     const std::unique_ptr<OGRGeometry> straight(geometry->getLinearGeometry());
     this->addGeometry(*straight);
   }
@@ -264,7 +278,7 @@ private:
     }
     else
     {
-      this->File.obstacles.push_back({ points, false, this->Reflection });
+      this->File.obstacles.push_back({ points, false, this->Reflection, this->Slope });
     }
   }
 
@@ -308,6 +322,7 @@ private:
       Obstacle obstacle;
       obstacle.closed = true;
       obstacle.reflection = this->Reflection;
+      obstacle.slope = this->Slope;
       for (const Kernel::Point_2& point : ring.container())
       {
         obstacle.points.emplace_back(point.x(), point.y());
@@ -321,6 +336,7 @@ private:
   Rectangle Scene;
   double Standard;
   double Reflection = 0.0;
+  double Slope = 0.0;
   std::unique_ptr<OGRCoordinateTransformation> Transformation;
   ObstacleFile File;
   std::size_t Shapes = 0;

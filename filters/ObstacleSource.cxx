@@ -61,12 +61,14 @@ void setObstacles(vtkDataObject* data, const std::vector<Obstacle>& obstacles)
   int* offsets = addArray<vtkIntArray>(fields, "ObstacleOffsets", count + 1);
   unsigned char* rings = addArray<vtkUnsignedCharArray>(fields, "ObstacleRings", count);
   double* reflection = addArray<vtkDoubleArray>(fields, "ObstacleReflection", count);
+  double* slope = addArray<vtkDoubleArray>(fields, "ObstacleSlope", count);
   offsets[0] = 0;
   for (std::size_t i = 0; i < obstacles.size(); ++i)
   {
     offsets[i + 1] = offsets[i] + static_cast<int>(obstacles[i].points.size());
     rings[i] = obstacles[i].closed ? 1 : 0;
     reflection[i] = obstacles[i].reflection;
+    slope[i] = obstacles[i].slope;
   }
   double* points = addArray<vtkDoubleArray>(fields, "ObstaclePoints", offsets[obstacles.size()], 2);
   for (const Obstacle& obstacle : obstacles)
@@ -86,6 +88,7 @@ std::shared_ptr<const Obstacles> obstaclesOf(vtkDataObject* data)
   vtkDataArray* const offsets = fields->GetArray("ObstacleOffsets");
   vtkDataArray* const rings = fields->GetArray("ObstacleRings");
   vtkDataArray* const reflection = fields->GetArray("ObstacleReflection");
+  vtkDataArray* const slope = fields->GetArray("ObstacleSlope");
   if (!points && !offsets)
   {
     return nullptr;
@@ -108,6 +111,7 @@ std::shared_ptr<const Obstacles> obstaclesOf(vtkDataObject* data)
     }
     obstacle.closed = rings->GetComponent(i, 0) != 0.0;
     obstacle.reflection = reflection->GetComponent(i, 0);
+    obstacle.slope = slope && i < slope->GetNumberOfTuples() ? slope->GetComponent(i, 0) : 0.0;
   }
   if (!fits)
   {

@@ -40,7 +40,7 @@ private:
 
 /**
  * Put obstacles as field data: ObstaclePoints (double, 2 components, m), ObstacleOffsets (int, obstacles + 1: where
- * each begins), ObstacleRings (unsigned char: 1 a ring, 0 a line) and ObstacleReflection (double).
+ * each begins), ObstacleRings (unsigned char: 1 a ring, 0 a line), ObstacleReflection and ObstacleSlope (double).
  */
 void setObstacles(vtkDataObject* data, const std::vector<Obstacle>& obstacles);
 

@@ -52,9 +52,9 @@ double foamAt(double phase, double breakingPhase, double launchParameter, double
   double age = passed + 2.0 * Pi * wave - phase;
   while (age < life)
   {
-    const double delay = broken >= largestDelay + OnsetPhase || !(largestDelay > 0.0)
-      ? 0.0
-      : largestDelay * breakingDelay(options.seed, static_cast<std::int64_t>(wave), launchParameter, options.wavelength);
+    const double delay = broken >= largestDelay + OnsetPhase || !(largestDelay > 0.0) ? 0.0
+                                                                                      : largestDelay *
+        breakingDelay(options.seed, static_cast<std::int64_t>(wave), launchParameter, options.wavelength);
     const double share = std::clamp((broken - delay) / OnsetPhase, 0.0, 1.0);
     most = std::max(most, share * (1.0 - age / life));
     if (share == 1.0)

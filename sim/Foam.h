@@ -43,7 +43,6 @@ void computeFoam(
   const FoamPlaces& places, double time, const FoamOptions& options, float* foam, const Execution& execution = {});
 
 /** The same of one place; the options are taken as good. */
-double foamAt(
-  double phase, double breakingPhase, double launchParameter, double time, const FoamOptions& options);
+double foamAt(double phase, double breakingPhase, double launchParameter, double time, const FoamOptions& options);
 
 }

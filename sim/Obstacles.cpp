@@ -122,6 +122,11 @@ void check(const Obstacle& obstacle, std::size_t index)
     message << "the reflection coefficient must be 0 to 1, not " << obstacle.reflection;
     throw std::invalid_argument(message.str());
   }
+  if (!(obstacle.slope >= 0.0 && std::isfinite(obstacle.slope)))
+  {
+    message << "the slope of its faces must be 0 (vertical) or above, not " << obstacle.slope;
+    throw std::invalid_argument(message.str());
+  }
   for (const glm::dvec2& point : obstacle.points)
   {
     if (!std::isfinite(point.x + point.y))
@@ -182,7 +187,7 @@ void Obstacles::addSegments(const Obstacle& obstacle, std::size_t index)
   {
     const std::size_t next = (i + 1) % count;
     this->Segments.push_back(
-      { points[i], points[next], index, obstacle.reflection, obstacle.closed, turns(i), turns(next) });
+      { points[i], points[next], index, obstacle.reflection, obstacle.slope, obstacle.closed, turns(i), turns(next) });
   }
 }
 
@@ -301,7 +306,8 @@ std::optional<WallHit> Obstacles::firstHit(
           last = roots[i];
           const bool corner =
             (share < EndOverlap && segment.cornerFrom) || (share > 1.0 - EndOverlap && segment.cornerTo);
-          first = WallHit{ roots[i], index, side, side * normal, segment.reflection, segment.obstacle, corner };
+          first = WallHit{ roots[i], index, side, side * normal, segment.reflection, segment.slope, segment.obstacle,
+            corner };
         }
         break;
       }

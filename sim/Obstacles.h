@@ -21,6 +21,7 @@ struct Obstacle
   std::vector<glm::dvec2> points;
   bool closed = false;     ///< a ring; otherwise a line, a wall without thickness
   double reflection = 0.0; ///< height of the reflected wave over that of the incident one, 0 to 1
+  double slope = 0.0;      ///< of its faces, rise over run; 0: vertical. Only spray feels it
 };
 
 /** A piece of a path: position(theta) = sum of coefficients[i] theta^i for 0 <= theta <= 1, m. */
@@ -37,6 +38,7 @@ struct WallHit
   double side = 1.0;        ///< 1: the path comes from the left of the segment, -1: from its right
   glm::dvec2 normal{ 0.0 }; ///< unit normal of the wall, to the side that the path comes from
   double reflection = 0.0;  ///< of the obstacle
+  double slope = 0.0;       ///< of its faces, rise over run; 0: vertical
   std::size_t obstacle = 0; ///< index of the obstacle
   bool corner = false;      ///< at a corner, or the free end of a line: there is no one direction to be reflected to
 };
@@ -52,8 +54,8 @@ public:
 
   /**
    * Segments shorter than a micrometre are left out.
-   * @throws std::invalid_argument an obstacle of fewer than 2 points (a ring: 3), a coordinate that is not finite, or a
-   *   reflection coefficient out of range, naming it
+   * @throws std::invalid_argument an obstacle of fewer than 2 points (a ring: 3), a coordinate that is not finite, a
+   *   reflection coefficient or a slope out of range, naming it
    */
   explicit Obstacles(const std::vector<Obstacle>& obstacles);
 
@@ -89,6 +91,7 @@ private:
     glm::dvec2 to{ 0.0 };
     std::size_t obstacle = 0;
     double reflection = 0.0;
+    double slope = 0.0;
     bool closed = false;
     bool cornerFrom = false; // the wall turns there
     bool cornerTo = false;

@@ -1,26 +1,13 @@
 #include "sim/SurfHistory.h"
 
 #include "sim/Angles.h"
+#include "sim/Scramble.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace swellray
 {
-
-namespace
-{
-
-// SplitMix64 (Steele, Lea and Flood 2014): neighbouring numbers give unrelated ones.
-std::uint64_t scramble(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15u;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-}
 
 double plungeDistance(double slope)
 {
@@ -154,7 +141,7 @@ double breakingDelay(std::uint64_t seed, std::int64_t wave, double launchParamet
   for (int i = 0; i < 3; ++i)
   {
     draw = scramble(draw);
-    const double turn = 2.0 * Pi * static_cast<double>(draw >> 11) * 0x1p-53;
+    const double turn = 2.0 * Pi * unitOf(draw);
     sum += weights[i] * std::sin(2.0 * Pi * launchParameter / (lengths[i] * wavelength) + turn);
   }
   return 0.5 * (1.0 + sum);

@@ -113,8 +113,7 @@ SheetPlace SurfaceFunction::placeOn(const SheetCover& cover, const glm::dvec2& p
   }
   const double size = glm::length(toward);
   const auto first = 3 * static_cast<std::size_t>(cover.corner[0]);
-  found.still.direction =
-    size > 0.0 ? toward / size : glm::dvec2(sheet.Direction[first], sheet.Direction[first + 1]);
+  found.still.direction = size > 0.0 ? toward / size : glm::dvec2(sheet.Direction[first], sheet.Direction[first + 1]);
   return found;
 }
 
@@ -166,8 +165,7 @@ CrestState SurfaceFunction::crest(
   return sum;
 }
 
-MovedPlace SurfaceFunction::move(
-  const SheetPlace& place, double time, const WaveSection& section, bool* breaking) const
+MovedPlace SurfaceFunction::move(const SheetPlace& place, double time, const WaveSection& section, bool* breaking) const
 {
   const double passed = 2.0 * Pi / this->Surface.options().period * time;
   const double wave = turns(place.phase - passed);
@@ -214,8 +212,7 @@ double SurfaceFunction::foam(const SheetPlace& place, double time, const Surface
   return sum;
 }
 
-bool SurfaceFunction::follow(
-  const SheetPlace& from, const glm::dvec2& place, Scratch& scratch, SheetPlace& found) const
+bool SurfaceFunction::follow(const SheetPlace& from, const glm::dvec2& place, Scratch& scratch, SheetPlace& found) const
 {
   this->Locator.find(place, scratch.covers);
   const double expected =
@@ -249,9 +246,8 @@ double SurfaceFunction::reach(const SheetPlace& place, double time, const WaveSe
     at.phase += Pi * i / samples;
     const double wave = turns(at.phase - passed);
     const double crestPhase = passed + 2.0 * Pi * wave;
-    const SectionPoint moved =
-      section.at(this->crest(at, crestPhase, static_cast<std::int64_t>(wave), section),
-        { at.phase - crestPhase, at.still.height, at.still.wavenumber, at.still.depth, at.still.slope, at.ripeness });
+    const SectionPoint moved = section.at(this->crest(at, crestPhase, static_cast<std::int64_t>(wave), section),
+      { at.phase - crestPhase, at.still.height, at.still.wavenumber, at.still.depth, at.still.slope, at.ripeness });
     most = std::max(most, std::abs(moved.along));
   }
   return ReachMargin * most;
@@ -449,8 +445,8 @@ SurfaceValue SurfaceFunction::at(
   }
   value.covered = true;
   value.elevation = level + std::max(up, -value.depth);
-  value.normal =
-    value.sheets == 1 && glm::length(overhanging) > 0.0 ? glm::normalize(overhanging) : glm::normalize(glm::dvec3(-slope, 1.0));
+  value.normal = value.sheets == 1 && glm::length(overhanging) > 0.0 ? glm::normalize(overhanging)
+                                                                     : glm::normalize(glm::dvec3(-slope, 1.0));
   return value;
 }
 
@@ -460,8 +456,8 @@ SurfaceValue SurfaceFunction::at(const glm::dvec2& place, double time, const Sur
   return this->at(place, time, motion, scratch);
 }
 
-std::vector<SurfaceValue> SurfaceFunction::at(const std::vector<glm::dvec2>& places, double time,
-  const SurfaceMotion& motion, const Execution& execution) const
+std::vector<SurfaceValue> SurfaceFunction::at(
+  const std::vector<glm::dvec2>& places, double time, const SurfaceMotion& motion, const Execution& execution) const
 {
   std::vector<SurfaceValue> values(places.size());
   execution.forRange(places.size(),

@@ -18,13 +18,13 @@ namespace swellray
 struct SheetPlace
 {
   StillPlace still;
-  double phase = 0.0;    ///< S, rad
-  double ripeness = 0.0; ///< as CrestState::ripeness, of the place
-  double shore = 0.0;    ///< share of the shore, 0 to 1: points of it only go up and down
-  std::array<std::size_t, 3> ray{};            ///< of the corners around it
-  std::array<double, 3> weight{};              ///< of these
-  std::array<double, 3> breakingPhase{};       ///< of the corners, rad; NaN where not broken
-  std::array<double, 3> launchParameter{};     ///< m
+  double phase = 0.0;                      ///< S, rad
+  double ripeness = 0.0;                   ///< as CrestState::ripeness, of the place
+  double shore = 0.0;                      ///< share of the shore, 0 to 1: points of it only go up and down
+  std::array<std::size_t, 3> ray{};        ///< of the corners around it
+  std::array<double, 3> weight{};          ///< of these
+  std::array<double, 3> breakingPhase{};   ///< of the corners, rad; NaN where not broken
+  std::array<double, 3> launchParameter{}; ///< m
 };
 
 /** The surface at a place and time. */
@@ -93,8 +93,8 @@ private:
 
   const WaveSurface& Surface;
   SheetLocator Locator;
-  std::vector<std::uint32_t> RayOf;    // one a point of a ray
-  std::vector<double> BreakingPhase;   // one a point of a ray
+  std::vector<std::uint32_t> RayOf;  // one a point of a ray
+  std::vector<double> BreakingPhase; // one a point of a ray
 };
 
 }

@@ -145,13 +145,12 @@ double WaveSurface::breakingPhase(std::size_t point) const
   return this->phase(point) + (stretch ? stretch->begin - phase : 0.0);
 }
 
-CrestState WaveSurface::crest(
-  std::size_t ray, double phase, std::int64_t wave, const WaveSection& section) const
+CrestState WaveSurface::crest(std::size_t ray, double phase, std::int64_t wave, const WaveSection& section) const
 {
   const double largestDelay = 2.0 * Pi * section.variation();
-  const double delay = largestDelay > 0.0 ? largestDelay *
-      breakingDelay(this->Options.seed, wave, this->Sheet.LaunchParameter[ray], this->Options.wavelength)
-                                          : 0.0;
+  const double delay = largestDelay > 0.0
+    ? largestDelay * breakingDelay(this->Options.seed, wave, this->Sheet.LaunchParameter[ray], this->Options.wavelength)
+    : 0.0;
   // Before an inserted ray began its waves were those of the ray beside it.
   while (this->Sheet.Parent[ray] >= 0 && phase < this->Histories[ray].firstPhase())
   {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "sim/Angles.h"
+#include "sim/Obstacles.h"
 #include "sim/RayField.h"
 #include "sim/WaveSurface.h"
 
@@ -49,6 +50,8 @@ struct Bundle
   std::vector<double> Positions, Phase, Parameter, Direction, Wavenumber, Height, Distance;
   std::vector<std::int32_t> Segment, Parent, Caustics;
   std::vector<std::uint8_t> Lee, Breaking, State;
+  std::vector<std::uint8_t> Ends;   // EndReason a ray; used with Walls
+  const Obstacles* Walls = nullptr; // that stop the rays
 
   void begin(double parameter, std::int32_t parent = -1)
   {
@@ -60,12 +63,12 @@ struct Bundle
   }
 
   void add(const glm::dvec2& place, double phase, const glm::dvec2& direction, double height = 1.0,
-    double brokenFor = 0.0, RayState state = RayState::Alive)
+    double brokenFor = 0.0, RayState state = RayState::Alive, double wavenumber = K)
   {
     this->Positions.insert(this->Positions.end(), { place.x, place.y, 0.0 });
     this->Direction.insert(this->Direction.end(), { direction.x, direction.y, 0.0 });
     this->Phase.push_back(phase);
-    this->Wavenumber.push_back(K);
+    this->Wavenumber.push_back(wavenumber);
     this->Height.push_back(height);
     this->Distance.push_back(brokenFor);
     this->Caustics.push_back(0);
@@ -91,6 +94,8 @@ struct Bundle
     rays.sheet.caustics = this->Caustics.data();
     rays.sheet.breaking = this->Breaking.data();
     rays.sheet.state = this->State.data();
+    rays.sheet.endReason = this->Ends.empty() ? nullptr : this->Ends.data();
+    rays.sheet.obstacles = this->Walls;
     rays.rayDirection = this->Direction.data();
     rays.breakingDistance = this->Distance.data();
     return rays;

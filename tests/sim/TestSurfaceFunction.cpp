@@ -111,7 +111,8 @@ TEST(SurfaceFunction, isGerstnersTrochoidAtTheCrestAndTheTrough)
   {
     particle = 50.0 + 0.5 * std::sin(K * particle);
   }
-  EXPECT_NEAR(function.at({ 50.0, 3.0 }, 0.0, motionOf(*section)).elevation, mean + 0.5 * std::cos(K * particle), Found);
+  EXPECT_NEAR(
+    function.at({ 50.0, 3.0 }, 0.0, motionOf(*section)).elevation, mean + 0.5 * std::cos(K * particle), Found);
 }
 
 TEST(SurfaceFunction, isTheTopOfTheMeshWhereWavesBreak)
@@ -137,7 +138,8 @@ TEST(SurfaceFunction, isTheTopOfTheMeshWhereWavesBreak)
           continue; // where the sheet itself moves in and out
         }
         const SurfaceValue value = function.at(place, time, motionOf(*section));
-        ASSERT_TRUE(value.covered) << named.name << " " << time << " " << place.x << " " << surface.Sheet.Position[3 * i];
+        ASSERT_TRUE(value.covered) << named.name << " " << time << " " << place.x << " "
+                                   << surface.Sheet.Position[3 * i];
         ++points;
         equal += std::abs(value.elevation - z) < Found ? 1 : 0;
         // Vertical faces cross the film over the bed at no one height.
@@ -178,8 +180,7 @@ TEST(SurfaceFunction, hasTheFoamAndTheBreakingOfTheMesh)
   {
     const glm::dvec2 place(surface.Position[3 * i], surface.Position[3 * i + 1]);
     const SurfaceValue value = function.at(place, 2.0, motionOf(*section));
-    const double expected =
-      foamAt(surface.Sheet.Phase[i], surface.Moved->breakingPhase(i), 0.0, 2.0, foam);
+    const double expected = foamAt(surface.Sheet.Phase[i], surface.Moved->breakingPhase(i), 0.0, 2.0, foam);
     ASSERT_NEAR(value.foam, expected, 1e-5);
     ASSERT_EQ(value.breaking, surface.Broken[i] != 0);
     foamy += value.foam > 0.0 ? 1 : 0;
