@@ -2,13 +2,16 @@
 
 #include "AlgorithmExecution.h"
 #include "FieldData.h"
+#include "ObstacleSource.h"
 #include "RayArrays.h"
 #include "RaySheetInput.h"
+#include "SeafloorField.h"
 #include "sim/Dispersion.h"
 #include "sim/WaveHeight.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -16,6 +19,7 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace swellray
 {
@@ -35,9 +39,45 @@ vtkSmartPointer<vtkDataArray> makeArray(const char* name, const std::vector<Valu
 
 }
 
+std::shared_ptr<const SurfaceScene> SurfaceScene::of(vtkPolyData* rays, vtkImageData* image, vtkDataArray* elevation,
+  SeafloorField& seafloor, const Settings& settings, vtkAlgorithm* algorithm)
+{
+  // A time of modification is given to one object once in a process.
+  struct Known
+  {
+    vtkMTimeType rays;
+    vtkMTimeType image;
+    vtkMTimeType elevation;
+    Settings settings;
+    std::weak_ptr<const SurfaceScene> scene;
+  };
+  static std::mutex mutex;
+  static std::vector<Known> scenes;
+  const std::lock_guard<std::mutex> lock(mutex);
+  scenes.erase(std::remove_if(scenes.begin(), scenes.end(), [](const Known& known) { return known.scene.expired(); }),
+    scenes.end());
+  const vtkMTimeType elevationTime = elevation ? elevation->GetMTime() : 0;
+  for (const Known& known : scenes)
+  {
+    if (known.rays == rays->GetMTime() && known.image == image->GetMTime() && known.elevation == elevationTime &&
+      known.settings == settings)
+    {
+      if (auto scene = known.scene.lock())
+      {
+        return scene;
+      }
+    }
+  }
+  auto scene = std::make_shared<const SurfaceScene>(
+    rays, seafloor.get(image, elevation), settings.pointsPerWave, settings.seed, settings.straight, algorithm);
+  scenes.push_back({ rays->GetMTime(), image->GetMTime(), elevationTime, settings, scene });
+  return scene;
+}
+
 SurfaceScene::SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed,
   bool straight, vtkAlgorithm* algorithm)
   : Bed(std::move(seafloor))
+  , Walls(obstaclesOf(rays))
 {
   const IncidentWave wave = tracedWave(rays);
   this->Options.period = wave.period;

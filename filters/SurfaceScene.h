@@ -1,6 +1,7 @@
 #ifndef SurfaceScene_h
 #define SurfaceScene_h
 
+#include "sim/Obstacles.h"
 #include "sim/WaveSurface.h"
 
 #include <vtkCellArray.h>
@@ -12,10 +13,13 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkImageData;
 class vtkPolyData;
 
 namespace swellray
 {
+
+class SeafloorField;
 
 /** What all frames of a surface share: its sheet, and the arrays of it that do not move. */
 class SurfaceScene
@@ -30,6 +34,32 @@ public:
   SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed,
     bool straight, vtkAlgorithm* algorithm);
 
+  /** What a scene is made of besides its data. */
+  struct Settings
+  {
+    double pointsPerWave = 16.0;
+    int seed = 1;
+    bool straight = false; ///< the phase of Peachey 1986
+
+    bool operator==(const Settings& other) const
+    {
+      return this->pointsPerWave == other.pointsPerWave && this->seed == other.seed && this->straight == other.straight;
+    }
+  };
+
+  /**
+   * The scene of these data: the one that another filter holds of the same, or a new one.
+   * @param elevation of the image, on its points
+   * @throws as the constructor
+   */
+  static std::shared_ptr<const SurfaceScene> of(vtkPolyData* rays, vtkImageData* image, vtkDataArray* elevation,
+    SeafloorField& seafloor, const Settings& settings, vtkAlgorithm* algorithm);
+
+  const Seafloor& seafloor() const { return *this->Bed; }
+
+  /** Those that the rays met; null: none. */
+  const Obstacles* obstacles() const { return this->Walls.get(); }
+
   const SurfaceSheet& sheet() const { return *this->Sheet; }
   const WaveSurface& surface() const { return *this->Surface; }
   const SurfaceOptions& options() const { return this->Options; }
@@ -40,6 +70,7 @@ public:
 
 private:
   std::shared_ptr<const Seafloor> Bed;
+  std::shared_ptr<const Obstacles> Walls;
   SurfaceOptions Options;
   std::unique_ptr<SurfaceSheet> Sheet;
   std::unique_ptr<WaveSurface> Surface;

@@ -5,6 +5,7 @@
 #include "RayArrays.h"
 #include "SeafloorField.h"
 #include "SurfaceScene.h"
+#include "SurfaceSettings.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -15,42 +16,13 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <exception>
-#include <stdexcept>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkSwellSurface);
-
-namespace
-{
-
-// More would be a mistake in the step.
-constexpr double MostTimeSteps = 1e6;
-
-constexpr double FewestPointsPerWave = 16.0;
-
-// NAME:key=value,... of a name, which may have some already, and further parameters.
-std::string sectionSpec(const std::string& name, const std::string& parameters)
-{
-  return parameters.empty() ? name : name + (name.find(':') == std::string::npos ? ":" : ",") + parameters;
-}
-
-void requirePositive(const char* name, double value)
-{
-  if (!(value > 0.0) || std::isinf(value))
-  {
-    throw std::invalid_argument(std::string(name) + " is " + std::to_string(value) + "; it must be above 0 and finite");
-  }
-}
-
-}
 
 vtkSwellSurface::vtkSwellSurface()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
@@ -69,31 +41,9 @@ int vtkSwellSurface::FillInputPortInformation(int port, vtkInformation* info)
 
 int vtkSwellSurface::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   try
   {
-    requirePositive("TimeStep", this->TimeStep);
-    const double length = this->TimeRange[1] - this->TimeRange[0];
-    if (!(length >= 0.0) || std::isinf(length))
-    {
-      throw std::invalid_argument("TimeRange ends before it begins");
-    }
-    // A range that is whole steps but for rounding keeps its last.
-    constexpr double rounding = 1e-9;
-    const double steps = std::floor(length / this->TimeStep + rounding) + 1.0;
-    if (steps > MostTimeSteps)
-    {
-      throw std::invalid_argument("TimeRange has more than a million steps; choose a larger TimeStep");
-    }
-    std::vector<double> times(static_cast<std::size_t>(steps));
-    for (std::size_t i = 0; i < times.size(); ++i)
-    {
-      times[i] = this->TimeRange[0] + static_cast<double>(i) * this->TimeStep;
-    }
-    vtkInformation* info = outputVector->GetInformationObject(0);
-    info->Set(Pipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
-    const std::array<double, 2> range{ times.front(), times.back() };
-    info->Set(Pipeline::TIME_RANGE(), range.data(), 2);
+    swellray::setTimeSteps(outputVector->GetInformationObject(0), this->TimeRange, this->TimeStep);
   }
   catch (const std::exception& error)
   {
@@ -105,10 +55,9 @@ int vtkSwellSurface::RequestInformation(vtkInformation*, vtkInformationVector**,
 
 int vtkSwellSurface::RequestUpdateExtent(vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector*)
 {
-  // Rays and seafloor are the same at all times, and must not be made again for another frame.
   for (int port = 0; port < 2; ++port)
   {
-    inputVector[port]->GetInformationObject(0)->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    swellray::askAtNoTime(inputVector[port]->GetInformationObject(0));
   }
   return 1;
 }
@@ -121,36 +70,14 @@ int vtkSwellSurface::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   try
   {
-    vtkInformation* info = outputVector->GetInformationObject(0);
-    const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-      ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-      : this->Time;
-    if (!std::isfinite(time))
-    {
-      throw std::invalid_argument("Time is not finite");
-    }
-    requirePositive("TextureSize", this->TextureSize);
-    if (this->PointsPerWave != 0.0 && !(this->PointsPerWave >= FewestPointsPerWave))
-    {
-      throw std::invalid_argument("PointsPerWave is " + std::to_string(this->PointsPerWave) +
-        "; it must be 16 or more, or 0 for as many as the section asks for");
-    }
-    const std::string spec = sectionSpec(this->Section, this->SectionParameters);
+    const double time = swellray::requestedTime(outputVector->GetInformationObject(0), this->Time);
+    swellray::requirePositive("TextureSize", this->TextureSize);
+    const std::string spec = swellray::sectionSpec(this->Section, this->SectionParameters);
     const auto section = swellray::makeWaveSection(spec);
-    const double pointsPerWave = this->PointsPerWave > 0.0 ? this->PointsPerWave : section->pointsPerWave();
-    if (!this->Scene || this->SceneOf[0] != rays->GetMTime() || this->SceneOf[1] != image->GetMTime() ||
-      this->ScenePointsPerWave != pointsPerWave || this->SceneSeed != this->Seed ||
-      this->ScenePhaseRule != this->PhaseRule)
-    {
-      this->Scene = std::make_unique<const swellray::SurfaceScene>(rays,
-        this->Seafloor->get(image, this->GetInputArrayToProcess(0, inputVector)), pointsPerWave, this->Seed,
-        this->PhaseRule == STRAIGHT, this);
-      this->SceneOf[0] = rays->GetMTime();
-      this->SceneOf[1] = image->GetMTime();
-      this->ScenePointsPerWave = pointsPerWave;
-      this->SceneSeed = this->Seed;
-      this->ScenePhaseRule = this->PhaseRule;
-    }
+    this->Scene = swellray::SurfaceScene::of(rays, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
+      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed,
+        this->PhaseRule == STRAIGHT },
+      this);
     this->UpdateProgress(0.5);
     if (this->GetAbortExecute())
     {
@@ -216,7 +143,7 @@ int vtkSwellSurface::RequestData(
 void vtkSwellSurface::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Section: " << sectionSpec(this->Section, this->SectionParameters) << "\n";
+  os << indent << "Section: " << swellray::sectionSpec(this->Section, this->SectionParameters) << "\n";
   os << indent << "PhaseRule: " << (this->PhaseRule == STRAIGHT ? "straight" : "traced") << "\n";
   os << indent << "PointsPerWave: " << this->PointsPerWave << "\n";
   os << indent << "Time: " << this->Time << "\n";

@@ -146,13 +146,8 @@ private:
   vtkSwellSurface(const vtkSwellSurface&) = delete;
   void operator=(const vtkSwellSurface&) = delete;
 
-  // What frames share, and what it was made of.
   std::unique_ptr<swellray::SeafloorField> Seafloor;
-  std::unique_ptr<const swellray::SurfaceScene> Scene;
-  vtkMTimeType SceneOf[2] = { 0, 0 };
-  double ScenePointsPerWave = 0.0;
-  int SceneSeed = 0;
-  int ScenePhaseRule = TRACED;
+  std::shared_ptr<const swellray::SurfaceScene> Scene; // what frames share
 };
 
 #endif

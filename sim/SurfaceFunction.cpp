@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace swellray
 {
@@ -456,9 +457,14 @@ SurfaceValue SurfaceFunction::at(const glm::dvec2& place, double time, const Sur
   return this->at(place, time, motion, scratch);
 }
 
-std::vector<SurfaceValue> SurfaceFunction::at(
-  const std::vector<glm::dvec2>& places, double time, const SurfaceMotion& motion, const Execution& execution) const
+std::vector<SurfaceValue> SurfaceFunction::at(const std::vector<glm::dvec2>& places, const std::vector<double>& times,
+  const SurfaceMotion& motion, const Execution& execution) const
 {
+  if (times.size() != 1 && times.size() != places.size())
+  {
+    throw std::invalid_argument("the surface at " + std::to_string(places.size()) +
+      " places needs as many times, or one, not " + std::to_string(times.size()));
+  }
   std::vector<SurfaceValue> values(places.size());
   execution.forRange(places.size(),
     [&](std::size_t begin, std::size_t end)
@@ -466,7 +472,7 @@ std::vector<SurfaceValue> SurfaceFunction::at(
       Scratch scratch;
       for (std::size_t i = begin; i < end; ++i)
       {
-        values[i] = this->at(places[i], time, motion, scratch);
+        values[i] = this->at(places[i], times[times.size() == 1 ? 0 : i], motion, scratch);
       }
     });
   return values;

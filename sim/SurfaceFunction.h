@@ -63,9 +63,13 @@ public:
   /** The surface must outlive this and move by the traced phase. @throws std::invalid_argument where it does not */
   explicit SurfaceFunction(const WaveSurface& surface);
 
-  /** Values at places, m, at a time, s. The same for any loop in `execution`. */
-  std::vector<SurfaceValue> at(const std::vector<glm::dvec2>& places, double time, const SurfaceMotion& motion,
-    const Execution& execution = {}) const;
+  /**
+   * Values at places, m. The same for any loop in `execution`.
+   * @param times s, one a place or one for all
+   * @throws std::invalid_argument where there are neither so many
+   */
+  std::vector<SurfaceValue> at(const std::vector<glm::dvec2>& places, const std::vector<double>& times,
+    const SurfaceMotion& motion, const Execution& execution = {}) const;
 
   /** The same at one place. */
   SurfaceValue at(const glm::dvec2& place, double time, const SurfaceMotion& motion) const;

@@ -374,7 +374,8 @@ void checkOutputs(const OutputRequest& output)
   std::vector<std::pair<std::string, std::string>> files;
   for (const auto& file : { std::make_pair("--output", output.file), std::make_pair("--crests", output.crests),
          std::make_pair("--breaker-line", output.breakerLine), std::make_pair("--map", output.map),
-         std::make_pair("--table", output.table), std::make_pair("--spectra", output.spectra) })
+         std::make_pair("--spray", output.spray), std::make_pair("--table", output.table),
+         std::make_pair("--spectra", output.spectra) })
   {
     for (const auto& other : files)
     {

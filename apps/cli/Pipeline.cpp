@@ -165,6 +165,29 @@ void setUp(vtkSwellSurface* surface, const SurfaceRequest& options)
   surface->SetSeed(options.seed);
 }
 
+void setUp(vtkSwellSpray* spray, const SurfaceRequest& options)
+{
+  spray->SetSection(options.profile);
+  spray->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
+  spray->SetSeed(options.seed);
+  spray->SetSteepest(options.spraySteepness.value_or(0.0));
+  if (options.sprayRate)
+  {
+    spray->SetRate(*options.sprayRate);
+  }
+}
+
+void setUp(vtkSwellSurfaceProbe* probe, const SurfaceRequest& options)
+{
+  probe->SetSection(options.profile);
+  probe->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
+  probe->SetSeed(options.seed);
+  if (options.foamLife)
+  {
+    probe->SetFoamLife(*options.foamLife);
+  }
+}
+
 void setUp(vtkSwellFoam* foam, const SurfaceRequest& options)
 {
   if (options.foamLife)
@@ -181,6 +204,8 @@ Pipeline::Pipeline(const Request& request, Console& console)
   setUp(this->Heights, request.rays.height);
   setUp(this->Surface, request.surface);
   setUp(this->Foam, request.surface);
+  setUp(this->Spray, request.surface);
+  setUp(this->Probe, request.surface);
   for (const double level : request.contour.levels)
   {
     this->Contours->AddLevel(level);
@@ -282,12 +307,30 @@ vtkPolyData* Pipeline::makeSurface(double time)
   return this->Foam->GetOutput();
 }
 
+vtkPolyData* Pipeline::makeSpray(double time)
+{
+  this->Spray->SetInputConnection(0, this->Heights->GetOutputPort());
+  this->Spray->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Spray->SetTime(time);
+  runFilter(this->Spray, "spray", this->Screen);
+  return this->Spray->GetOutput();
+}
+
+vtkPolyData* Pipeline::probeSurface(vtkPolyData* points)
+{
+  this->Probe->SetInputConnection(0, this->Heights->GetOutputPort());
+  this->Probe->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Probe->SetInputData(2, points);
+  runFilter(this->Probe, "surface", this->Screen);
+  return this->Probe->GetOutput();
+}
+
 std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
-  for (const std::string& file :
-    { request.seafloor.source, request.rays.current, request.rays.obstacles, request.render.rays, request.render.crests,
-      request.map.stations, request.map.waterLevels, request.spectrum.boundary, request.spectrum.series })
+  for (const std::string& file : { request.seafloor.source, request.rays.current, request.rays.obstacles,
+         request.render.rays, request.render.crests, request.map.stations, request.map.waterLevels,
+         request.spectrum.boundary, request.spectrum.series, request.surface.at })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))

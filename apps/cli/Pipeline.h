@@ -12,7 +12,9 @@
 #include <vtkSwellFoam.h>
 #include <vtkSwellRayTracer.h>
 #include <vtkSwellSeafloorReader.h>
+#include <vtkSwellSpray.h>
 #include <vtkSwellSurface.h>
+#include <vtkSwellSurfaceProbe.h>
 #include <vtkSwellWaveHeight.h>
 
 #include <memory>
@@ -66,6 +68,12 @@ public:
   /** Breaking-wave surface with foam over the rays that were traced, at a time, s. @throws WorkError */
   vtkPolyData* makeSurface(double time);
 
+  /** Spray at a time, s, over the same rays. @throws WorkError */
+  vtkPolyData* makeSpray(double time);
+
+  /** The same surface at points with the array Time. @throws WorkError */
+  vtkPolyData* probeSurface(vtkPolyData* points);
+
 private:
   Console& Screen;
   vtkNew<vtkSwellSeafloorReader> Reader;
@@ -76,6 +84,8 @@ private:
   vtkNew<vtkSwellBreakerLine> Breakers;
   vtkNew<vtkSwellSurface> Surface;
   vtkNew<vtkSwellFoam> Foam;
+  vtkNew<vtkSwellSpray> Spray;
+  vtkNew<vtkSwellSurfaceProbe> Probe;
 };
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */

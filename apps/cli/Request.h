@@ -11,6 +11,8 @@
 #include "sim/WaveTracer.h"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -146,6 +148,15 @@ struct TimeSeries
   double first = 0.0;
   double last = 0.0;
   double step = 1.0;
+
+  /** A length that is whole steps but for rounding keeps its last. */
+  std::size_t count() const
+  {
+    constexpr double rounding = 1e-9;
+    return static_cast<std::size_t>(std::floor((this->last - this->first) / this->step + rounding)) + 1;
+  }
+
+  double at(std::size_t i) const { return this->first + static_cast<double>(i) * this->step; }
 };
 
 /** The breaking-wave surface and its times. */
@@ -158,6 +169,10 @@ struct SurfaceRequest
   std::optional<double> pointsPerWave;    ///< none: as many as the section asks for
   std::optional<double> foamLife;         ///< s
   int seed = 1;
+  std::string spray;                    ///< file to write; empty: not asked for
+  std::optional<double> sprayRate;      ///< particles a metre of crest and metre
+  std::optional<double> spraySteepness; ///< H/L from which on crests throw; none: as the trace breaks
+  std::string at;                       ///< file of places and times; empty: none
 };
 
 /** Files to write; empty: not asked for. */
@@ -166,6 +181,7 @@ struct OutputRequest
   std::string file;
   std::string crests;
   std::string breakerLine;
+  std::string spray;
   std::string map;
   std::string table;   ///< waves at the stations
   std::string spectra; ///< spectra at the stations

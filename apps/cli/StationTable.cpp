@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <optional>
 
 namespace swellray::cli
 {
@@ -24,6 +25,7 @@ StationTable::StationTable(const std::string& path)
   std::size_t columns = 0;
   std::size_t xColumn = 0;
   std::size_t yColumn = 1;
+  std::optional<std::size_t> timeColumn;
   for (const CsvLine& line : readCsv(path))
   {
     const std::vector<std::string>& fields = line.fields;
@@ -38,6 +40,7 @@ StationTable::StationTable(const std::string& path)
       this->Heading = line.text;
       xColumn = columnOf(fields, { "x", "lon", "longitude", "easting" }).value_or(0);
       yColumn = columnOf(fields, { "y", "lat", "latitude", "northing" }).value_or(1);
+      timeColumn = columnOf(fields, { "time", "t" });
       continue;
     }
     const std::size_t needed = std::max(xColumn, yColumn) + 1;
@@ -51,6 +54,15 @@ StationTable::StationTable(const std::string& path)
     {
       throw WorkError(
         fmt::format("'{}' line {} has {} columns, the first one has {}", path, line.number, fields.size(), columns));
+    }
+    if (timeColumn)
+    {
+      double time = 0.0;
+      if (!parseField(fields[*timeColumn], time))
+      {
+        throw WorkError(fmt::format("'{}' line {}: '{}' is no time, s", path, line.number, fields[*timeColumn]));
+      }
+      this->Times.push_back(time);
     }
     this->Stations.push_back(station);
   }

@@ -32,6 +32,9 @@ public:
   /** The points in the plane of a scene, m. @throws WorkError naming the line of one that lies nowhere */
   vtkSmartPointer<vtkPolyData> places(const Georeference& scene) const;
 
+  /** Times of the points, s, of a column `time` or `t` (or time_..., t_...); empty where there is none. */
+  const std::vector<double>& times() const { return this->Times; }
+
   std::size_t size() const { return this->Stations.size(); }
 
   /** A point as it stands in the file. */
@@ -67,6 +70,7 @@ private:
   std::string Path;
   std::string Heading;
   std::vector<Station> Stations;
+  std::vector<double> Times;
 };
 
 }

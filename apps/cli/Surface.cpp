@@ -5,22 +5,26 @@
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
+#include "SurfaceTable.h"
 
 #include "sim/sections/WaveSection.h"
 
 #include <fmt/format.h>
 
 #include <vtkCellArray.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <chrono>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 namespace swellray::cli
 {
@@ -30,14 +34,7 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr long long MostFrames = 1'000'000;
-
-// Steps of a series; a length that is whole steps but for rounding keeps its last.
-long long frameCount(const TimeSeries& times)
-{
-  constexpr double rounding = 1e-9;
-  return static_cast<long long>(std::floor((times.last - times.first) / times.step + rounding)) + 1;
-}
+constexpr double MostFrames = 1e6;
 
 OptionSpec timesOption(SurfaceRequest& surface)
 {
@@ -55,7 +52,7 @@ OptionSpec timesOption(SurfaceRequest& surface)
       throw UsageError(fmt::format("--times needs T0:T1:DT with T0 <= T1 and DT > 0, not '{}'", typed));
     }
     const TimeSeries times{ values[0], values[1], values[2] };
-    if (!((times.last - times.first) / times.step < static_cast<double>(MostFrames)))
+    if (!((times.last - times.first) / times.step < MostFrames))
     {
       throw UsageError("--times has more than a million frames; take a larger step");
     }
@@ -89,9 +86,9 @@ OptionSpec profileOption(SurfaceRequest& surface)
   return spec;
 }
 
-bool isSeries(const Request& request)
+bool isSeries(const std::string& file)
 {
-  return fs::path(request.output.file).extension() == ".pvd";
+  return fs::path(file).extension() == ".pvd";
 }
 
 void checkSurface(Request& request)
@@ -99,19 +96,36 @@ void checkSurface(Request& request)
   checkRays(request.rays);
   checkPlane(request, "surface");
   const SurfaceRequest& surface = request.surface;
-  if (request.output.file.empty())
+  if (surface.at.empty() != request.output.table.empty())
   {
-    throw UsageError("surface has nothing to write: give -o FILE.vtp, or -o FILE.pvd with --times");
+    throw UsageError("--at and --table belong together; give both");
+  }
+  if (request.output.file.empty() && request.output.spray.empty() && request.output.table.empty())
+  {
+    throw UsageError("surface has nothing to write: give -o FILE.vtp, -o FILE.pvd with --times, --spray FILE, or --at "
+                     "POINTS.csv --table FILE.csv");
   }
   if (surface.time && surface.times)
   {
     throw UsageError("--time and --times exclude each other; leave out one of the two");
   }
-  if (isSeries(request) != surface.times.has_value())
+  for (const std::string& file : { request.output.file, request.output.spray })
   {
-    throw UsageError(
-      isSeries(request) ? "a .pvd series needs --times T0:T1:DT" : "--times needs a series to write: -o FILE.pvd");
+    if (!file.empty() && isSeries(file) != surface.times.has_value())
+    {
+      throw UsageError(
+        isSeries(file) ? "a .pvd series needs --times T0:T1:DT" : "--times needs a series to write: -o FILE.pvd");
+    }
   }
+  if (surface.straightPhase && (!request.output.spray.empty() || !surface.at.empty()))
+  {
+    throw UsageError("--spray and --at follow the traced phase; leave out --phase straight");
+  }
+  if ((surface.sprayRate || surface.spraySteepness) && request.output.spray.empty())
+  {
+    throw UsageError("--spray-rate and --spray-steepness need --spray FILE");
+  }
+  checkOutputs(request.output);
 }
 
 void writeVtp(vtkPolyData* surface, const OutputFile& file, const Request& request, Console& console)
@@ -137,8 +151,7 @@ bool isKept(const fs::path& frame, double time, const Request& request, Console&
   try
   {
     const vtkSmartPointer<vtkPolyData> surface = readLines(frame.string(), console);
-    return surface->GetNumberOfPoints() > 0 && fieldNumber(surface, "Time") == time &&
-      fieldText(surface, "CommandLine") == request.commandLine;
+    return fieldNumber(surface, "Time") == time && fieldText(surface, "CommandLine") == request.commandLine;
   }
   catch (const WorkError&)
   {
@@ -162,75 +175,142 @@ void writeSeriesFile(const OutputFile& file, const std::vector<std::pair<double,
   }
 }
 
-void writeSeries(Pipeline& pipeline, const OutputFile& file, const Request& request, Console& console)
+// A series on its way: its file, the folder beside it, and what makes a frame.
+struct Series
+{
+  OutputFile* file = nullptr;
+  fs::path path;
+  std::function<vtkPolyData*(double)> make;
+  std::vector<std::pair<double, std::string>> frames;
+
+  fs::path folder() const { return this->path.parent_path() / this->path.stem(); }
+};
+
+void writeSeries(std::vector<Series>& all, const Request& request, Console& console)
 {
   const TimeSeries& times = *request.surface.times;
-  const fs::path series(request.output.file);
-  const fs::path folder = series.parent_path() / series.stem();
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
+  for (const Series& series : all)
   {
-    throw WorkError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
-  }
-  const long long count = frameCount(times);
-  long long kept = 0;
-  std::vector<std::pair<double, std::string>> frames;
-  const auto start = std::chrono::steady_clock::now();
-  for (long long i = 0; i < count; ++i)
-  {
-    const double time = times.first + static_cast<double>(i) * times.step;
-    const std::string name = fmt::format("{}_{:06}.vtp", series.stem().string(), i);
-    frames.emplace_back(time, (series.stem() / name).string());
-    if (isKept(folder / name, time, request, console))
+    std::error_code error;
+    fs::create_directories(series.folder(), error);
+    if (error)
     {
-      ++kept;
+      throw WorkError(fmt::format("cannot make the folder '{}': {}", series.folder().string(), error.message()));
     }
-    else
+  }
+  const std::size_t count = times.count();
+  std::size_t kept = 0;
+  std::size_t made = 0;
+  const auto start = std::chrono::steady_clock::now();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double time = times.at(i);
+    for (Series& series : all)
     {
-      vtkPolyData* surface = pipeline.makeSurface(time);
-      OutputFile frame((folder / name).string(), {});
-      writeVtp(surface, frame, request, console);
-      frame.commit();
-      if (i == kept)
+      const std::string stem = series.path.stem().string();
+      const std::string name = fmt::format("{}_{:06}.vtp", stem, i);
+      series.frames.emplace_back(time, (fs::path(stem) / name).string());
+      if (isKept(series.folder() / name, time, request, console))
       {
-        saySurface(surface, console);
+        ++kept;
+        continue;
+      }
+      vtkPolyData* data = series.make(time);
+      OutputFile frame((series.folder() / name).string(), {});
+      writeVtp(data, frame, request, console);
+      frame.commit();
+      if (made++ == 0)
+      {
+        saySurface(data, console);
       }
     }
     console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
   }
   console.endProgress();
-  writeSeriesFile(file, frames);
+  for (const Series& series : all)
+  {
+    writeSeriesFile(*series.file, series.frames);
+  }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  console.say(fmt::format("frames   {}: {} made in {:.2f} s, {} kept", count, count - kept, seconds, kept));
+  console.say(fmt::format("frames   {}: {} made in {:.2f} s, {} kept", made + kept, made, seconds, kept));
 }
 
 void runSurface(const Request& request, Console& console)
 {
-  OutputFile file(request.output.file, inputFiles(request));
+  // Every file is opened, and the points are read, before the work that they wait for.
+  const SurfaceRequest& surface = request.surface;
+  const std::vector<std::string> inputs = inputFiles(request);
+  std::vector<std::unique_ptr<OutputFile>> files;
+  const auto open = [&](const std::string& path)
+  {
+    files.push_back(path.empty() ? nullptr : std::make_unique<OutputFile>(path, inputs));
+    return files.back().get();
+  };
+  OutputFile* const file = open(request.output.file);
+  OutputFile* const sprayFile = open(request.output.spray);
+  OutputFile* const tableFile = open(request.output.table);
+  std::optional<StationTable> points;
+  if (tableFile)
+  {
+    points.emplace(surface.at);
+  }
   Pipeline pipeline(request, console);
-  pipeline.readSeafloor();
+  vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
   pipeline.traceRays();
   pipeline.computeHeights();
-  if (isSeries(request))
+  const auto makeSurface = [&](double time) { return pipeline.makeSurface(time); };
+  const auto makeSpray = [&](double time) { return pipeline.makeSpray(time); };
+  if (surface.times && (file || sprayFile))
   {
-    writeSeries(pipeline, file, request, console);
+    std::vector<Series> series;
+    if (file)
+    {
+      series.push_back({ file, request.output.file, makeSurface, {} });
+    }
+    if (sprayFile)
+    {
+      series.push_back({ sprayFile, request.output.spray, makeSpray, {} });
+    }
+    writeSeries(series, request, console);
   }
   else
   {
-    vtkPolyData* surface = pipeline.makeSurface(request.surface.time.value_or(0.0));
-    saySurface(surface, console);
-    writeVtp(surface, file, request, console);
+    const double time = surface.time.value_or(0.0);
+    if (file)
+    {
+      vtkPolyData* data = makeSurface(time);
+      saySurface(data, console);
+      writeVtp(data, *file, request, console);
+    }
+    if (sprayFile)
+    {
+      vtkPolyData* data = makeSpray(time);
+      console.say(fmt::format("spray    {} particles", data->GetNumberOfPoints()));
+      writeVtp(data, *sprayFile, request, console);
+    }
   }
-  file.commit();
-  console.say(fmt::format("wrote    {}; open with: paraview {}", file.path(), file.path()));
+  if (tableFile)
+  {
+    writeSurfaceTable(pipeline, *points, seafloor, *tableFile, request, console);
+  }
+  for (const auto& written : files)
+  {
+    if (written)
+    {
+      written->commit();
+      const bool table = written.get() == tableFile;
+      console.say(table ? fmt::format("wrote    {}", written->path())
+                        : fmt::format("wrote    {}; open with: paraview {}", written->path(), written->path()));
+    }
+  }
 }
 
 }
 
 CommandSpec surfaceSpec(Request& request)
 {
-  CommandSpec spec{ "surface", "the breaking-wave surface with its foam, at a time or as a series", true, {}, {} };
+  CommandSpec spec{ "surface", "the breaking-wave surface with its foam and spray, at a time or as a series", true, {},
+    {} };
   SurfaceRequest& surface = request.surface;
   OptionSpec points = number("--points-per-wave", "N", "points a wavelength along the rays", "as the profile needs",
     "Surface", surface.pointsPerWave, { "", 16.0, 10000.0 });
@@ -238,12 +318,20 @@ CommandSpec surfaceSpec(Request& request)
   seed.set = [&surface](const std::string& typed)
   { surface.seed = static_cast<int>(parseWhole("--seed", typed, 0, 2'000'000'000)); };
   spec.options = { outputFile("-o,--output", "surface, .vtp, or series, .pvd", request.output.file, { ".vtp", ".pvd" }),
+    outputFile("--spray", "spray, .vtp, or series, .pvd", request.output.spray, { ".vtp", ".pvd" }),
+    text("--at", "FILE", "points x,y or lon,lat a line, and a column time where they have their own, .csv", "",
+      "Output", surface.at),
+    outputFile("--table", "the surface at these points, .csv", request.output.table, { ".csv" }),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress),
     profileOption(surface),
     choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }), timesOption(surface), points,
-    number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed };
+    number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed,
+    number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
+      "Surface", surface.sprayRate, { "", 0.0, 1e6 }),
+    number("--spray-steepness", "R", "height over length from which on crests throw spray", "where the trace breaks",
+      "Surface", surface.spraySteepness, { "", 0.0, 10.0, true }) };
   add(spec.options, waveOptions(request.rays, true));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
@@ -252,6 +340,8 @@ CommandSpec surfaceSpec(Request& request)
     "  swellray surface harbour.tif --period 14 --direction 135 --height 2 --profile jeschke --times 0:14:0.1 -o "
     "sea.pvd\n"
     "  swellray surface plane --period 12 --direction 270 --height 1.5 --profile vortex:threshold=0.1 -o tube.vtp\n"
+    "  swellray surface babbage --period 6 --direction 0 --height 1.5 --times 0:6:0.04 -o sea.pvd --spray spray.pvd\n"
+    "  swellray surface bay --period 8 --direction 90 --height 1 --at buoys.csv --times 0:600:0.5 --table series.csv\n"
     "A series that was broken off goes on where it was when the same call is made again.\n";
   spec.check = checkSurface;
   spec.run = runSurface;

@@ -18,3 +18,16 @@ swellray_cli_test(surface_series 0 "^3\n3\n$" "warning: the seafloor grid|^$"
 swellray_cli_test(surface_resumes 0 "2 kept.*0 kept" "warning: the seafloor grid|^$"
   "run() { $SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.5 -o s.pvd \"$@\" | grep frames; } && run >/dev/null && head -c 500 s/s_000001.vtp > t && mv t s/s_000001.vtp && run && run --seed 2")
 swellray_cli_test(surface_straight 0 "" "warning: the seafloor grid|^$" "${surface} --profile peachey --phase straight -o s.vtp")
+# Spray and the surface at points.
+swellray_cli_test(surface_spray 0 "^1\n$" "warning: the seafloor grid|^$" "${surface} --time 4 --spray p.vtp && grep -c '<VTKFile type=\"PolyData\"' p.vtp")
+swellray_cli_test(surface_spray_series 0 "^3 3\n4 kept" "warning: the seafloor grid|^$"
+  "${surface} --times 0:1:0.5 -o s.pvd --spray p.pvd && echo $(ls s | wc -l) $(ls p | wc -l) && rm s/s_000001.vtp p/p_000002.vtp && $SWELLRAY surface $IN/beach.asc ${wave} --quiet --times 0:1:0.5 -o s.pvd --spray p.pvd && echo 4 kept")
+swellray_cli_test(surface_spray_same 2 "" "name the same file" "${surface} -o s.vtp --spray s.vtp")
+swellray_cli_test(surface_spray_alone 2 "" "need --spray" "${surface} -o s.vtp --spray-rate 5")
+swellray_cli_test(surface_spray_straight 2 "" "leave out --phase straight" "${surface} --phase straight --spray p.vtp")
+swellray_cli_test(surface_at_alone 2 "" "belong together" "${surface} --at p.csv")
+swellray_cli_test(surface_at 0 "^x,y,name,Time,SurfaceElevation,NormalX,.*,Waves\n5\n$" "warning|^$"
+  "printf 'x,y,name\\n100,100,a\\n1e7,0,dry\\n' > p.csv && ${surface} --at p.csv --times 0:0.5:0.5 --table o.csv && head -1 o.csv && wc -l < o.csv")
+swellray_cli_test(surface_at_own_times 0 "^x,y,t,SurfaceElevation.*\n3\n$" "warning: the seafloor grid|^$"
+  "printf 'x,y,t\\n100,100,0\\n100,100,2\\n' > p.csv && ${surface} --at p.csv --table o.csv && head -1 o.csv && wc -l < o.csv")
+swellray_cli_test(surface_at_bad_time 1 "" "'soon' is no time" "printf 'x,y,t\\n100,100,soon\\n' > p.csv && ${surface} --at p.csv --table o.csv")

@@ -16,6 +16,7 @@ LEFT_OUT = {
     ("vtkSwellMap", "WaterLevel"): "that of the rays goes first",
     ("vtkSwellStations", "WaterLevel"): "that of the rays goes first",
     ("vtkSwellSurface", "Time"): "the animation has it",
+    ("vtkSwellSpray", "Time"): "the animation has it",
     ("vtkSwellSpectralMap", "KeepSpectra"): "spectra are no arrays",
     ("vtkSwellSpectralMap", "KeepTransfer"): "rays of a sea are no arrays",
 }

@@ -159,9 +159,9 @@ TEST(Spray, crestsThrowAsMuchAsTheyAreFasterThanTheWave)
   std::map<int, std::vector<double>> speeds;
   double expected = 0.0;
   double thrown = 0.0;
-  for (int frame = 0; frame < 100; ++frame)
+  for (int frame = 0; frame < 30; ++frame)
   {
-    const double time = 3.0 + 0.08 * frame;
+    const double time = 3.0 + 0.27 * frame;
     for (const SprayParticle& particle : spray.at(time, *section))
     {
       if (particle.age > moment)
@@ -192,7 +192,7 @@ TEST(Spray, crestsThrowAsMuchAsTheyAreFasterThanTheWave)
       }
     }
   }
-  ASSERT_GT(expected, 2000.0);
+  ASSERT_GT(expected, 500.0);
   EXPECT_NEAR(thrown, expected, Deviations * std::sqrt(expected));
   int places = 0;
   for (const auto& [place, values] : speeds)

@@ -262,11 +262,12 @@ TEST(SurfaceFunction, isTheSameForAnyLoop)
       body(i, i + 1);
     }
   };
-  const auto one = function.at(places, 2.0, motionOf(*section));
-  const auto other = function.at(places, 2.0, motionOf(*section), backwards);
+  const auto one = function.at(places, { 2.0 }, motionOf(*section));
+  const auto other = function.at(places, { 2.0 }, motionOf(*section), backwards);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     EXPECT_EQ(one[i].elevation, other[i].elevation);
     EXPECT_EQ(one[i].foam, other[i].foam);
   }
+  EXPECT_THROW(function.at(places, { 1.0, 2.0 }, motionOf(*section)), std::invalid_argument);
 }
