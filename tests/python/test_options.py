@@ -15,7 +15,7 @@ ELSEWHERE = {
               "side_walls", "max_memory", "dry_run"},
     "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series"},
     "contour": {"output", "compress", "points"},
-    "surface": {"output", "compress", "times"},
+    "surface": {"output", "compress", "times", "spray", "at", "table"},
 }
 COMMON = {"config", "threads", "quiet", "help"}
 SEAFLOOR = {"water_level", "positive", "crs", "crop", "resample", "smooth", "nodata", "variable", "max_gap",
@@ -45,7 +45,8 @@ class Options(unittest.TestCase):
         trace = keywords_of(swellray.Seafloor.trace)
         self.assert_options("trace", SEAFLOOR | trace)
         self.assert_options("contour", SEAFLOOR | keywords_of(swellray.Seafloor.contours))
-        self.assert_options("surface", SEAFLOOR | trace | keywords_of(swellray.Rays.surface))
+        self.assert_options("surface", SEAFLOOR | trace | keywords_of(swellray.Rays.surface) |
+                            keywords_of(swellray.Rays.spray))
         self.assert_options("spectrum", SEAFLOOR | keywords_of(swellray.Seafloor.spectrum) - {"spacing"})
 
     def test_words_are_those_of_the_filters(self):
@@ -86,6 +87,8 @@ class Options(unittest.TestCase):
             (swellray.Rays.heights, [swellray.vtkSwellWaveHeight], set()),
             (swellray.Rays.map, [swellray.vtkSwellMap], set()),
             (swellray.Rays.surface, [swellray.vtkSwellSurface], {"foam_life"}),
+            (swellray.Rays.surface_at, [swellray.vtkSwellSurfaceProbe], {"places"}),
+            (swellray.Rays.spray, [swellray.vtkSwellSpray], set()),
         ):
             keywords = sorted(keywords_of(function) - elsewhere)
             properties = [_options.property_of(keyword) for keyword in keywords]
@@ -101,7 +104,7 @@ class Options(unittest.TestCase):
 
     def test_every_call_and_keyword_is_documented(self):
         for kind in (swellray.Seafloor, swellray.Rays, swellray.Lines, swellray.Map, swellray.Stations,
-                     swellray.Surface):
+                     swellray.Surface, swellray.Spray):
             self.assertTrue(kind.__doc__, kind)
             for name, member in inspect.getmembers(kind):
                 if name.startswith("_") or not (callable(member) or isinstance(member, property)):
@@ -121,6 +124,8 @@ class Options(unittest.TestCase):
             (swellray.Rays.map, set()),
             (swellray.Rays.stations, {"combine"}),
             (swellray.Rays.surface, set()),
+            (swellray.Rays.surface_at, set()),
+            (swellray.Rays.spray, set()),
         ):
             for keyword in keywords_of(function) - elsewhere:
                 self.assertRegex(function.__doc__, rf"(?m)^\s+(\w+, )*{keyword}(, \w+)*:", f"{function.__name__}")

@@ -71,6 +71,26 @@ class SameAsProgram(FolderCase):
         self.rays.surface(1.0, profile="jeschke")
         self.assert_same(self.rays.surface(3.0, profile="jeschke"), path)
 
+    def test_spray(self):
+        path = self.folder / "spray.vtp"
+        program("surface", "babbage", *OPTIONS, "--time", 3, "--spray", path, "--spray-rate", 50)
+        self.rays.spray(1.0, spray_rate=50)
+        spray = self.rays.spray(3.0, spray_rate=50)
+        self.assertGreater(len(spray), 100)
+        self.assert_same(spray, path)
+
+    def test_surface_at(self):
+        points, path = self.folder / "points.csv", self.folder / "series.csv"
+        points.write_text("x,y\n500,700\n480,650\n")
+        program("surface", "babbage", *OPTIONS, "--at", points, "--times", "0:2:0.5", "--table", path)
+        times = numpy.repeat(numpy.arange(0.0, 2.1, 0.5), 2)
+        values = self.rays.surface_at([[500, 700], [480, 650]] * 5, times)
+        for i, name in enumerate(("NormalX", "NormalY", "NormalZ")):
+            rows = read_table(path)
+            numpy.testing.assert_allclose(values["Normals"][:, i], [float(row[name]) for row in rows], atol=1e-6)
+        for name in ("SurfaceElevation", "Time", "Depth"):
+            numpy.testing.assert_allclose(values[name], [float(row[name]) for row in rows], rtol=PRINTED, err_msg=name)
+
     def assert_same_table(self, result, path):
         rows = read_table(path)
         self.assertEqual(len(rows), len(result))

@@ -27,6 +27,8 @@ _PROPERTIES = {
     "phase": "PhaseRule",
     "profile": "Section",
     "source": "FileName",
+    "spray_rate": "Rate",
+    "spray_steepness": "Steepest",
     "tp": "PeakPeriod",
     "transfer": "TransferFileName",
 }

@@ -177,6 +177,13 @@ class Stations(Result):
     _ending = ".vtp"
 
 
+class Spray(Result):
+    """Spray at a time: a point a particle in the air, with Velocity, Age and Source (0 a crest, 1 an obstacle)."""
+
+    _writer = vtkXMLPolyDataWriter
+    _ending = ".vtp"
+
+
 class Lines(Result):
     """Lines over points: contours, crests, breaker lines. Line i has the points lines.slices()[i]."""
 
@@ -385,6 +392,50 @@ class Rays(Lines):
         foam.SetInputData(output_of(algorithm))
         run(foam)
         return Surface(output_of(foam))
+
+    def surface_at(self, places, time=0.0, *, coordinates="file", profile="gonzato-lesaec", points_per_wave=None,
+                   foam_life=None, seed=1):
+        """The surface at places without a mesh: SurfaceElevation (of the topmost sheet, m), Normals, Velocity, Depth,
+        Foam, Breaking; Waves is the number of waves that cross there, which are added. NaN where no wave comes.
+
+        places: (n, 2) numbers
+        time: s, one for all places or n of them
+        coordinates: of places: "file", longitude and latitude or x and y as the seafloor's file has them; or "scene",
+            metres in its plane
+        profile, points_per_wave, foam_life, seed: as for surface()
+        """
+        points = self.seafloor.places(places, coordinates)
+        times = numpy.broadcast_to(numpy.asarray(time, dtype=float), points.GetNumberOfPoints())
+        array = numpy_to_vtk(numpy.ascontiguousarray(times), deep=True)
+        array.SetName("Time")
+        points.GetPointData().AddArray(array)
+        key = ("at", profile, points_per_wave, seed)
+        if key not in self._surfaces:
+            algorithm = configure(filters.vtkSwellSurfaceProbe(), profile=profile, points_per_wave=points_per_wave,
+                                  seed=seed)
+            self._surfaces[key] = self._on_seafloor(algorithm)
+        algorithm = configure(self._surfaces[key], foam_life=8.0 if foam_life is None else foam_life)
+        algorithm.SetInputDataObject(2, points)
+        run(algorithm)
+        return Stations(output_of(algorithm))
+
+    def spray(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, seed=1, spray_rate=None,
+              spray_steepness=None):
+        """Spray in the air at a time, of breaking crests and of waves that strike obstacles.
+
+        time: s
+        profile, points_per_wave, seed: as for surface()
+        spray_rate: particles a metre of crest and metre by which its water is ahead of the wave; default 20
+        spray_steepness: height over length from which on crests throw spray; default: where the trace breaks
+        """
+        key = ("spray", profile, points_per_wave, seed, spray_rate, spray_steepness)
+        if key not in self._surfaces:
+            algorithm = configure(filters.vtkSwellSpray(), profile=profile, points_per_wave=points_per_wave, seed=seed,
+                                  spray_rate=spray_rate, spray_steepness=spray_steepness)
+            self._surfaces[key] = self._on_seafloor(algorithm)
+        algorithm = configure(self._surfaces[key], time=float(time))
+        run(algorithm)
+        return Spray(output_of(algorithm))
 
     def _summary(self):
         wave = self.fields
