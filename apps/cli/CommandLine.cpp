@@ -4,6 +4,7 @@
 #include "Failure.h"
 #include "OptionGroups.h"
 #include "Options.h"
+#include "ShellWords.h"
 #include "Values.h"
 #include "Version.h"
 
@@ -23,23 +24,6 @@ namespace
 {
 
 constexpr std::size_t HelpColumn = 34;
-
-std::string lineAsTyped(int argc, char** argv)
-{
-  std::string line = "swellray";
-  for (int i = 1; i < argc; ++i)
-  {
-    const std::string word = argv[i];
-    const bool plain = !word.empty() && word.find_first_of(" \t\n'\"\\$&|;<>()*?[]{}#!`") == std::string::npos;
-    std::string quoted;
-    for (const char c : word)
-    {
-      quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    line += " " + (plain ? word : "'" + quoted + "'");
-  }
-  return line;
-}
 
 std::vector<std::string> namesOf(const OptionSpec& spec)
 {
@@ -83,7 +67,7 @@ Registered registerOption(CLI::App& app, const OptionSpec& spec)
 class Parser
 {
 public:
-  Parser(int argc, char** argv);
+  explicit Parser(const std::vector<std::string>& words);
   std::optional<Call> read();
 
 private:
@@ -93,6 +77,7 @@ private:
     CLI::App* app = nullptr;
     std::vector<Registered> options;
     CLI::Option* seafloor = nullptr;
+    CLI::Option* file = nullptr;
   };
 
   void addCommand(const CommandSpec& spec);
@@ -101,11 +86,13 @@ private:
   void refuseExtra(const std::string& extra, const std::vector<Registered>& known, const std::string& where) const;
   void take(Registered& registered);
   void takeConfiguration();
+  std::string lineForTheFiles() const;
+  void checkSection(const CLI::ConfigItem& item) const;
   void takeConfigurationItem(const CLI::ConfigItem& item);
   bool belongsToAnyCommand(const std::string& option) const;
 
-  int Argc;
-  char** Argv;
+  std::vector<std::string> Words;    // of the call
+  std::vector<std::string> FromFile; // what the configuration file adds to them
   Request Result;
   std::string ConfigFile;
   CLI::App App;
@@ -114,12 +101,10 @@ private:
   CommandApp* Chosen = nullptr;
 };
 
-Parser::Parser(int argc, char** argv)
-  : Argc(argc)
-  , Argv(argv)
+Parser::Parser(const std::vector<std::string>& words)
+  : Words(words)
   , App("Wave refraction over real seafloors: rays, heights and crests as VTK data and pictures.", "swellray")
 {
-  this->Result.commandLine = lineAsTyped(argc, argv);
   this->App.get_formatter()->column_width(HelpColumn);
   this->App.set_help_flag("-h,--help", "show this help");
   this->App.set_version_flag(
@@ -169,6 +154,12 @@ void Parser::addCommand(const CommandSpec& spec)
       "'swellray list')");
     command.seafloor->type_name("")->expected(1);
   }
+  if (spec.file.target)
+  {
+    command.file = command.app->add_option(
+      "file", [](const CLI::results_t&) { return true; }, spec.file.help);
+    command.file->type_name("")->expected(1);
+  }
   for (const OptionSpec& option : spec.options)
   {
     command.options.push_back(registerOption(*command.app, option));
@@ -180,7 +171,8 @@ void Parser::parse()
 {
   try
   {
-    this->App.parse(this->Argc, this->Argv);
+    // CLI11 takes the words from the last to the first, without the program.
+    this->App.parse(std::vector<std::string>(this->Words.rbegin(), this->Words.rend() - 1));
   }
   catch (const CLI::ArgumentMismatch& mismatch)
   {
@@ -278,22 +270,46 @@ bool Parser::belongsToAnyCommand(const std::string& option) const
   return false;
 }
 
+// Every section of the file is looked at, also those of other commands.
+void Parser::checkSection(const CLI::ConfigItem& item) const
+{
+  const std::string section = item.parents.front();
+  const auto command = std::find_if(this->Commands.begin(), this->Commands.end(),
+    [&](const CommandApp& candidate) { return candidate.spec.name == section; });
+  if (command == this->Commands.end() || item.parents.size() > 1)
+  {
+    throw UsageError(fmt::format("{}: unknown section [{}]; a section has the name of a command", this->ConfigFile,
+      CLI::detail::join(item.parents, ".")));
+  }
+  std::vector<std::string> names;
+  if (command->spec.takesSeafloor)
+  {
+    names.emplace_back("seafloor");
+  }
+  for (const Registered& registered : command->options)
+  {
+    names.push_back(registered.spec.longName().substr(2));
+  }
+  if (std::find(names.begin(), names.end(), item.name) == names.end())
+  {
+    throw UsageError(fmt::format("{}: unknown option '{}' in [{}]; did you mean '{}'?", this->ConfigFile, item.name,
+      section, nearestWord(item.name, names)));
+  }
+}
+
 void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
 {
   if (item.name == "++" || item.name == "--")
   {
     return; // CLI11's marks where a section begins and ends
   }
-  if (!item.parents.empty() && item.parents.front() != this->Chosen->spec.name)
+  if (!item.parents.empty())
   {
-    const bool known = std::any_of(this->Commands.begin(), this->Commands.end(),
-      [&](const CommandApp& command) { return command.spec.name == item.parents.front(); });
-    if (!known)
+    this->checkSection(item);
+    if (item.parents.front() != this->Chosen->spec.name)
     {
-      throw UsageError(fmt::format(
-        "{}: unknown section [{}]; a section has the name of a command", this->ConfigFile, item.parents.front()));
+      return;
     }
-    return;
   }
   std::string value;
   for (const std::string& input : item.inputs)
@@ -305,6 +321,7 @@ void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
     if (this->Chosen->seafloor->count() == 0)
     {
       this->Result.seafloor.source = value;
+      this->FromFile.push_back(value);
     }
     return;
   }
@@ -324,6 +341,7 @@ void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
       {
         registered.spec.set(value);
         registered.option->add_result(value);
+        this->FromFile.push_back(registered.spec.value.empty() ? name : name + "=" + value);
       }
       catch (const UsageError& error)
       {
@@ -362,6 +380,27 @@ void Parser::takeConfiguration()
   }
 }
 
+// The call with the options of the configuration file in place of its name: the file may change or go.
+std::string Parser::lineForTheFiles() const
+{
+  const std::string config = "--config";
+  std::vector<std::string> words{ "swellray" };
+  for (std::size_t i = 1; i < this->Words.size(); ++i)
+  {
+    const std::string& word = this->Words[i];
+    if (word == config)
+    {
+      ++i;
+    }
+    else if (word.compare(0, config.size() + 1, config + "=") != 0)
+    {
+      words.push_back(word);
+    }
+  }
+  words.insert(words.end(), this->FromFile.begin(), this->FromFile.end());
+  return joinWords(words);
+}
+
 std::optional<Call> Parser::read()
 {
   try
@@ -381,7 +420,7 @@ std::optional<Call> Parser::read()
       this->Chosen = &command;
     }
   }
-  if (!this->Chosen && this->Argc == 1)
+  if (!this->Chosen && this->Words.size() == 1)
   {
     std::fputs(this->App.help().c_str(), stderr);
     throw UsageError("no command given");
@@ -399,10 +438,20 @@ std::optional<Call> Parser::read()
   {
     this->Result.seafloor.source = this->Chosen->seafloor->results().front();
   }
+  if (this->Chosen->file)
+  {
+    const FileSpec& file = this->Chosen->spec.file;
+    if (this->Chosen->file->count() == 0)
+    {
+      throw UsageError(fmt::format("{} needs a {}: {}", this->Chosen->spec.name, file.name, file.help));
+    }
+    *file.target = this->Chosen->file->results().front();
+  }
   if (!this->ConfigFile.empty())
   {
     this->takeConfiguration();
   }
+  this->Result.commandLine = this->lineForTheFiles();
 
   const std::string& name = this->Chosen->spec.name;
   if (this->Chosen->seafloor && this->Result.seafloor.source.empty())
@@ -428,9 +477,9 @@ std::optional<Call> Parser::read()
 
 }
 
-std::optional<Call> readCommandLine(int argc, char** argv)
+std::optional<Call> readCommandLine(const std::vector<std::string>& words)
 {
-  return Parser(argc, argv).read();
+  return Parser(words).read();
 }
 
 }

@@ -5,6 +5,8 @@
 
 #include <functional>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace swellray::cli
 {
@@ -18,9 +20,10 @@ struct Call
 
 /**
  * Read the command line and the configuration file it names.
+ * @param words of the call, the program's name first
  * @return none where help or the version was asked for and has been printed
  * @throws UsageError where the call is wrong, WorkError where the configuration file cannot be read
  */
-std::optional<Call> readCommandLine(int argc, char** argv);
+std::optional<Call> readCommandLine(const std::vector<std::string>& words);
 
 }

@@ -17,6 +17,7 @@ CommandSpec spectrumSpec(Request& request);
 CommandSpec renderSpec(Request& request);
 CommandSpec viewSpec(Request& request);
 CommandSpec validateSpec(Request& request);
+CommandSpec againSpec(Request& request);
 CommandSpec listSpec();
 
 }

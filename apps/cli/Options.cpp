@@ -17,6 +17,7 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     renderSpec(request),
     viewSpec(request),
     validateSpec(request),
+    againSpec(request),
     listSpec(),
   };
 }

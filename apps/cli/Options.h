@@ -26,6 +26,14 @@ struct OptionSpec
   std::string longName() const;
 };
 
+/** The file that a command takes in place of a seafloor. */
+struct FileSpec
+{
+  std::string name; ///< what stands for it in the help; empty: the command takes none
+  std::string help;
+  std::string* target = nullptr;
+};
+
 /** One command: what it does, what it takes, and examples of it. */
 struct CommandSpec
 {
@@ -37,6 +45,7 @@ struct CommandSpec
   std::function<void(Request&)> check =
     nullptr; ///< checks that span several options, and what follows; throws UsageError
   std::function<void(const Request&, Console&)> run = nullptr; ///< throws UsageError and WorkError
+  FileSpec file{};
 };
 
 /** All commands, in the order of the help. The options write into request, which must outlive them. */

@@ -175,6 +175,14 @@ struct SurfaceRequest
   std::string at;                       ///< file of places and times; empty: none
 };
 
+/** The output that is made again. */
+struct AgainRequest
+{
+  std::string file;
+  std::string folder; ///< for the outputs; empty: where they were
+  bool show = false;  ///< only print how it was made
+};
+
 /** Files to write; empty: not asked for. */
 struct OutputRequest
 {
@@ -202,6 +210,7 @@ struct Request
   ViewRequest view;
   SurfaceRequest surface;
   ValidateRequest validate;
+  AgainRequest again;
   OutputRequest output;
   bool json = false;
   bool quiet = false;

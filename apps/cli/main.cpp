@@ -39,7 +39,7 @@ int main(int argc, char** argv)
   {
     installSignalHandlers();
     silenceVtk();
-    const auto call = readCommandLine(argc, argv);
+    const auto call = readCommandLine({ argv, argv + argc });
     if (call)
     {
       run(*call);
