@@ -7,12 +7,12 @@ set(swellray_build_package_dir "${CMAKE_BINARY_DIR}/${swellray_package_dir}")
 
 install(TARGETS swellraySim swellrayBathymetry EXPORT SwellrayCore
   RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}"
-  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-install(DIRECTORY sim bathymetry DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/swellray"
+  LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}" NAMELINK_COMPONENT development
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+install(DIRECTORY sim bathymetry DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/swellray" COMPONENT development
   FILES_MATCHING PATTERN "*.h")
 install(EXPORT SwellrayCore NAMESPACE Swellray:: FILE SwellrayCoreTargets.cmake
-  DESTINATION "${swellray_package_dir}")
+  DESTINATION "${swellray_package_dir}" COMPONENT development)
 export(EXPORT SwellrayCore NAMESPACE Swellray:: FILE "${swellray_build_package_dir}/SwellrayCoreTargets.cmake")
 
 # A downstream VTK must be the one that the filters were built with, and needs the modules they link.
@@ -34,6 +34,6 @@ install(FILES
   "${swellray_build_package_dir}/SwellrayConfig.cmake"
   "${swellray_build_package_dir}/SwellrayConfigVersion.cmake"
   cmake/FindGeographicLib.cmake
-  DESTINATION "${swellray_package_dir}")
+  DESTINATION "${swellray_package_dir}" COMPONENT development)
 
 install(FILES README.md LICENSE CHANGELOG.md DESTINATION "${CMAKE_INSTALL_DOCDIR}")

@@ -17,6 +17,9 @@ set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/lib")
 file(RELATIVE_PATH swellray_bin_to_lib "/${CMAKE_INSTALL_BINDIR}" "/${CMAKE_INSTALL_LIBDIR}")
 set(CMAKE_INSTALL_RPATH "$ORIGIN;$ORIGIN/${swellray_bin_to_lib}")
 
+# What is installed without a component of its own is needed to run.
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME runtime)
+
 find_program(SWELLRAY_CCACHE ccache)
 if(SWELLRAY_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER "${SWELLRAY_CCACHE}")
