@@ -6,6 +6,8 @@
 #include "Failure.h"
 #include "FieldValues.h"
 #include "Pipeline.h"
+#include "RenderScene.h"
+#include "TimeSeriesOption.h"
 
 #include "bathymetry/ObstacleReader.h"
 
@@ -14,6 +16,7 @@
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
@@ -76,12 +79,90 @@ std::vector<Obstacle> obstaclesToDraw(const Request& request, vtkImageData* seaf
   }
 }
 
+void checkScene(const Request& request)
+{
+  const RenderRequest& render = request.render;
+  const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
+  if (!render.scene)
+  {
+    if (render.sceneOnly || render.times || movie)
+    {
+      throw UsageError("--camera, --sun, --time, --times and a movie (.ogv) need --style scene");
+    }
+    return;
+  }
+  checkPlane(request, "--style scene");
+  if (!request.rays.wanted)
+  {
+    throw UsageError("--style scene needs waves: give --period, --direction and --height");
+  }
+  if (!render.rays.empty() || !render.crests.empty())
+  {
+    throw UsageError("--style scene traces its own rays; leave out --rays and --crests");
+  }
+  if (render.time && render.times)
+  {
+    throw UsageError("--time and --times exclude each other; leave out one of the two");
+  }
+  if (movie != render.times.has_value())
+  {
+    throw UsageError(movie ? "a movie needs --times T0:T1:DT" : "--times needs a movie to write: -o FILE.ogv");
+  }
+}
+
+OptionSpec cameraOption(RenderRequest& render)
+{
+  OptionSpec spec{ "--camera", "shore|aerial|chart|X,Y,Z,FX,FY,FZ",
+    "where a scene is seen from: on the beach, from the air, from above, or eye and what it looks at, in the grid's "
+    "coordinates and metres of height",
+    "shore", "Scene", false, {} };
+  spec.set = [&render](const std::string& typed)
+  {
+    render.sceneOnly = true;
+    if (typed.find(',') == std::string::npos)
+    {
+      const std::vector<std::string> names{ "shore", "aerial", "chart" };
+      render.camera = static_cast<scene::CameraName>(parseChoice("--camera", typed, names));
+      return;
+    }
+    const auto values = parseNumbers("--camera", typed, PlainNumber);
+    if (values.size() != 6 || (values[0] == values[3] && values[1] == values[4] && values[2] == values[5]))
+    {
+      throw UsageError(
+        fmt::format("--camera needs shore, aerial, chart or X,Y,Z,FX,FY,FZ of two places, not '{}'", typed));
+    }
+    render.cameraPlace.emplace();
+    std::copy(values.begin(), values.end(), render.cameraPlace->begin());
+  };
+  return spec;
+}
+
+OptionSpec sunOption(RenderRequest& render)
+{
+  OptionSpec spec{ "--sun", "AZIMUTH,ELEVATION",
+    "of the sun, degrees clockwise from north and over the horizon, 2 to 90", "55 degrees right of the waves, 32 high",
+    "Scene", false, {} };
+  spec.set = [&render](const std::string& typed)
+  {
+    render.sceneOnly = true;
+    const auto values = parseNumbers("--sun", typed, Degrees);
+    if (values.size() != 2 || values[1] < 2.0 || values[1] > 90.0)
+    {
+      throw UsageError(
+        fmt::format("--sun needs AZIMUTH,ELEVATION with an elevation of 2 to 90 degrees, not '{}'", typed));
+    }
+    render.sun = { values[0], values[1] };
+  };
+  return spec;
+}
+
 void checkRender(Request& request)
 {
   checkRays(request.rays);
   checkEarth(request);
   checkContours(request.contour);
   const RenderRequest& render = request.render;
+  checkScene(request);
   if (request.rays.wanted && !render.rays.empty())
   {
     throw UsageError("--rays draws rays from a file, --period traces new ones; leave out one of the two");
@@ -95,6 +176,11 @@ void checkRender(Request& request)
 void runRender(const Request& request, Console& console)
 {
   OutputFile file(request.output.file, inputFiles(request));
+  if (request.render.scene)
+  {
+    renderScene(request, console, file);
+    return;
+  }
   Pipeline pipeline(request, console);
   vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
 
@@ -163,7 +249,11 @@ CommandSpec renderSpec(Request& request)
   {
     colorMaps.emplace_back(map.first, colorMaps.size());
   }
-  spec.options = { outputFile("-o,--output", "picture, .png or .jpg", request.output.file, { ".png", ".jpg" }), size,
+  spec.options = { outputFile("-o,--output", "picture, .png or .jpg; movie of a scene, .ogv", request.output.file,
+                     { ".png", ".jpg", ".ogv" }),
+    size,
+    choice("--style", "a chart, or the water in three dimensions", "chart", "Picture", render.scene,
+      std::vector<std::pair<std::string, bool>>{ { "chart", false }, { "scene", true } }),
     text("--rays", "FILE", "rays that 'swellray trace' wrote, .vtp", "", "Picture", render.rays),
     text("--crests", "FILE|auto", "crest lines from a file, or made from the rays", "", "Picture", render.crests),
     text("--color-by", "ARRAY", "colour the rays by this array, or 'none'", "WaveHeight", "Picture", render.colorBy),
@@ -175,6 +265,8 @@ CommandSpec renderSpec(Request& request)
         { "auto", ChartFrame::Auto }, { "metric", ChartFrame::Metric }, { "graticule", ChartFrame::Graticule } }),
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
   spec.options.front().required = true;
+  OptionSpec time = number("--time", "S", "time of a scene, s", "0", "Scene", render.time, { "seconds" });
+  add(spec.options, { cameraOption(render), sunOption(render), time, timesOption(render.times, "Scene") });
   add(spec.options, contourOptions(request.contour));
   add(spec.options, waveOptions(request.rays, false));
   add(spec.options, rayOptions(request.rays));
@@ -183,6 +275,9 @@ CommandSpec renderSpec(Request& request)
                   "  swellray render harbour.tif --period 14 --direction 135 --height 2 -o picture.png\n"
                   "  swellray render harbour.tif --obstacles breakwater.geojson -o harbour.png\n"
                   "  swellray render harbour.tif --interval 5 --size 2400x1800 -o chart.png\n"
+                  "  swellray render harbour.tif --style scene --period 9 --direction 285 --height 1.5 -o shore.png\n"
+                  "  swellray render bay --style scene --camera aerial --period 3 --direction 90 --height 0.4 --times "
+                  "0:10:0.04 -o bay.ogv\n"
                   "Where no display is set, an X server in memory (Xvfb) is started for the picture.\n";
   spec.check = checkRender;
   spec.run = runRender;

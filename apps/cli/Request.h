@@ -2,6 +2,7 @@
 
 #include "Chart.h"
 
+#include "apps/scene/SceneCamera.h"
 #include "bathymetry/SeafloorOptions.h"
 #include "sim/AmplitudeDispersion.h"
 #include "sim/IncidentWave.h"
@@ -107,6 +108,23 @@ struct SpectrumRequest
 /** In place of a file of crest lines: make them from the rays that are drawn. */
 constexpr const char* CrestsFromRays = "auto";
 
+/** Times from first to last, so many seconds apart. */
+struct TimeSeries
+{
+  double first = 0.0;
+  double last = 0.0;
+  double step = 1.0;
+
+  /** A length that is whole steps but for rounding keeps its last. */
+  std::size_t count() const
+  {
+    constexpr double rounding = 1e-9;
+    return static_cast<std::size_t>(std::floor((this->last - this->first) / this->step + rounding)) + 1;
+  }
+
+  double at(std::size_t i) const { return this->first + static_cast<double>(i) * this->step; }
+};
+
 /** Look of the picture. */
 struct RenderRequest
 {
@@ -117,6 +135,13 @@ struct RenderRequest
   ChartFrame frame = ChartFrame::Auto;
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
   std::string title;                      ///< empty: name of the seafloor
+  bool scene = false;                     ///< the water in three dimensions in place of a chart
+  scene::CameraName camera = scene::CameraName::Shore;
+  std::optional<std::array<double, 6>> cameraPlace; ///< eye and focus, in the grid's own coordinates and m
+  std::optional<std::array<double, 2>> sun;         ///< azimuth, nautical, and elevation, degrees
+  std::optional<double> time;                       ///< s
+  std::optional<TimeSeries> times;                  ///< frames of a movie
+  bool sceneOnly = false;                           ///< an option of scenes was given
 };
 
 /** The interactive window. */
@@ -140,23 +165,6 @@ struct ValidateRequest
     Bending,    ///< of rays, by the slope of the bed
     Tube,       ///< its equation, by the curvature of the bed
   } perturbed = Formula::Dispersion;
-};
-
-/** Times from first to last, so many seconds apart. */
-struct TimeSeries
-{
-  double first = 0.0;
-  double last = 0.0;
-  double step = 1.0;
-
-  /** A length that is whole steps but for rounding keeps its last. */
-  std::size_t count() const
-  {
-    constexpr double rounding = 1e-9;
-    return static_cast<std::size_t>(std::floor((this->last - this->first) / this->step + rounding)) + 1;
-  }
-
-  double at(std::size_t i) const { return this->first + static_cast<double>(i) * this->step; }
 };
 
 /** The breaking-wave surface and its times. */

@@ -6,6 +6,7 @@
 #include "OptionKinds.h"
 #include "Pipeline.h"
 #include "SurfaceTable.h"
+#include "TimeSeriesOption.h"
 
 #include "sim/sections/WaveSection.h"
 
@@ -33,33 +34,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-constexpr double MostFrames = 1e6;
-
-OptionSpec timesOption(SurfaceRequest& surface)
-{
-  OptionSpec spec{ "--times", "T0:T1:DT", "first and last time and step of a series, s", "", "Surface", false, {} };
-  spec.set = [&surface](const std::string& typed)
-  {
-    std::string commas = typed;
-    for (char& c : commas)
-    {
-      c = c == ':' ? ',' : c == ',' ? ':' : c;
-    }
-    const auto values = parseNumbers("--times", commas, { "seconds" });
-    if (values.size() != 3 || !(values[1] >= values[0]) || !(values[2] > 0.0))
-    {
-      throw UsageError(fmt::format("--times needs T0:T1:DT with T0 <= T1 and DT > 0, not '{}'", typed));
-    }
-    const TimeSeries times{ values[0], values[1], values[2] };
-    if (!((times.last - times.first) / times.step < MostFrames))
-    {
-      throw UsageError("--times has more than a million frames; take a larger step");
-    }
-    surface.times = times;
-  };
-  return spec;
-}
 
 OptionSpec profileOption(SurfaceRequest& surface)
 {
@@ -326,7 +300,8 @@ CommandSpec surfaceSpec(Request& request)
     profileOption(surface),
     choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
-    number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }), timesOption(surface), points,
+    number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),
+    timesOption(surface.times, "Surface"), points,
     number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed,
     number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
       "Surface", surface.sprayRate, { "", 0.0, 1e6 }),

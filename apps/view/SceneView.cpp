@@ -1,8 +1,7 @@
 #include "SceneView.h"
 
-#include "Relief.h"
-
 #include "apps/drawing/ColorMap.h"
+#include "apps/drawing/Relief.h"
 
 #include <vtkCamera.h>
 #include <vtkCellArray.h>
@@ -54,13 +53,13 @@ SceneView::SceneView(vtkImageData* seafloor)
   double range[2];
   seafloor->GetPointData()->GetArray("Elevation")->GetFiniteRange(range, 0);
   const double width = std::max(this->Bounds[1] - this->Bounds[0], this->Bounds[3] - this->Bounds[2]);
-  this->Exaggeration = exaggerationFor(width, range[1] - range[0]);
+  this->Exaggeration = drawing::exaggerationFor(width, range[1] - range[0]);
   this->Bounds[4] = range[0];
   this->Bounds[5] = range[1];
 
   this->SeafloorColors->SetNumberOfTableValues(SeafloorShades);
   this->SeafloorColors->SetTableRange(range[0], range[1] > range[0] ? range[1] : range[0] + 1.0);
-  this->SeafloorMapper->SetInputData(reliefOf(seafloor, MostReliefNodes));
+  this->SeafloorMapper->SetInputData(drawing::reliefOf(seafloor, MostReliefNodes));
   this->SeafloorMapper->SetLookupTable(this->SeafloorColors);
   this->SeafloorMapper->UseLookupTableScalarRangeOn();
   // Colours by elevation within a cell, not between the colours of its corners: the shore stays sharp.

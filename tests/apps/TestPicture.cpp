@@ -7,7 +7,9 @@
 #include <vtkPNGReader.h>
 
 #include <cstdlib>
+#include <fstream>
 #include <set>
+#include <string>
 
 namespace
 {
@@ -18,13 +20,18 @@ bool canDraw()
   return (display && *display) || std::system("command -v Xvfb > /dev/null 2>&1") == 0;
 }
 
+// The software driver of OpenGL keeps some bytes and is unloaded before a leak checker could tell whose they are.
+void tolerateTheDriver()
+{
+  const char* asan = std::getenv("ASAN_OPTIONS");
+  setenv("ASAN_OPTIONS", ((asan ? asan : "") + std::string(":detect_leaks=0")).c_str(), 1);
+}
+
 }
 
 TEST(Picture, ShowsTheRaysOverTheSeafloor)
 {
-  // The software driver of OpenGL keeps some bytes and is unloaded before a leak checker could tell whose they are.
-  const char* asan = std::getenv("ASAN_OPTIONS");
-  setenv("ASAN_OPTIONS", ((asan ? asan : "") + std::string(":detect_leaks=0")).c_str(), 1);
+  tolerateTheDriver();
   if (!canDraw())
   {
     GTEST_SKIP() << "neither a display nor Xvfb to draw with";
@@ -60,4 +67,26 @@ TEST(Picture, ShowsTheRaysOverTheSeafloor)
   }
   EXPECT_GT(colors.size(), ManyColors);
   EXPECT_GT(warm, ManyWarm);
+}
+
+TEST(Picture, ShowsTheWaterAndItsMovie)
+{
+  tolerateTheDriver();
+  if (!canDraw())
+  {
+    GTEST_SKIP() << "neither a display nor Xvfb to draw with";
+  }
+  const ScratchFolder folder("scene");
+  const std::string scene = "render bay --style scene --period 3 --direction 90 --height 0.4 --size 480x400 ";
+  ASSERT_EQ(runSwellray(scene + "--camera 60,0,8,20,0,0 -o " + (folder / "bay.png")), 0);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName((folder / "bay.png").c_str());
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[0], 480);
+  EXPECT_EQ(reader->GetOutput()->GetDimensions()[1], 400);
+  ASSERT_EQ(runSwellray(scene + "--camera aerial --times 0:0.2:0.1 -o " + (folder / "bay.ogv")), 0);
+  std::ifstream movie(folder / "bay.ogv", std::ios::binary);
+  std::string beginning(4, ' ');
+  movie.read(beginning.data(), 4);
+  EXPECT_EQ(beginning, "OggS");
 }

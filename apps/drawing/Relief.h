@@ -5,7 +5,7 @@
 class vtkImageData;
 class vtkPolyData;
 
-namespace swellray::view
+namespace swellray::drawing
 {
 
 /**

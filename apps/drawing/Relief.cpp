@@ -1,6 +1,6 @@
 #include "Relief.h"
 
-#include "apps/drawing/Scale.h"
+#include "Scale.h"
 
 #include <vtkCellArray.h>
 #include <vtkDataArray.h>
@@ -15,7 +15,7 @@
 #include <cmath>
 #include <vector>
 
-namespace swellray::view
+namespace swellray::drawing
 {
 
 namespace
@@ -106,7 +106,7 @@ vtkSmartPointer<vtkPolyData> reliefOf(vtkImageData* seafloor, vtkIdType mostNode
 double exaggerationFor(double width, double relief)
 {
   const double wanted = relief > 0.0 ? ShownRelief * width / relief : 1.0;
-  return wanted <= 1.0 ? 1.0 : drawing::roundNumber(wanted);
+  return wanted <= 1.0 ? 1.0 : roundNumber(wanted);
 }
 
 }

@@ -1,0 +1,178 @@
+#include "RenderScene.h"
+
+#include "Failure.h"
+#include "FieldValues.h"
+#include "OutputFile.h"
+
+#include "apps/drawing/VirtualDisplay.h"
+#include "apps/scene/ScenePicture.h"
+#include "sim/Angles.h"
+
+#include <fmt/format.h>
+
+#include <vtkImageData.h>
+#include <vtkJPEGWriter.h>
+#include <vtkOggTheoraWriter.h>
+#include <vtkPNGWriter.h>
+#include <vtkPolyData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+namespace swellray::cli
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr std::array<int, 2> StandardSize{ 1600, 900 };
+
+// The sun stands to the right of one who looks towards the waves, so that it shines through crests.
+constexpr double SunRight = 55.0;
+constexpr double SunElevation = 32.0;
+
+// The sheet of waves has some more points than the rays; this many take some gigabytes.
+constexpr vtkIdType MostRayPoints = 4000000;
+
+constexpr int FastestMovie = 60; // frames a second
+
+scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
+{
+  const RenderRequest& render = request.render;
+  if (render.cameraPlace)
+  {
+    const Georeference georeference = georeferenceOf(seafloor);
+    const auto& p = *render.cameraPlace;
+    const glm::dvec2 eye = georeference.fromFile({ p[0], p[1] });
+    const glm::dvec2 focus = georeference.fromFile({ p[3], p[4] });
+    scene::SceneCamera camera;
+    camera.eye = { eye.x, eye.y, p[2] };
+    camera.focus = { focus.x, focus.y, p[5] };
+    // Straight down, up is north.
+    if (eye == focus)
+    {
+      camera.up = { 0.0, 1.0, 0.0 };
+    }
+    return camera;
+  }
+  return scene::cameraByName(render.camera,
+    { seafloor, request.seafloor.options.waterLevel, request.rays.wave.directionFrom, request.rays.wave.height });
+}
+
+void writePicture(vtkImageData* picture, const OutputFile& file)
+{
+  vtkSmartPointer<vtkImageWriter> writer;
+  if (fs::path(file.path()).extension() == ".jpg")
+  {
+    vtkNew<vtkJPEGWriter> jpeg;
+    jpeg->SetQuality(95);
+    writer = jpeg;
+  }
+  else
+  {
+    writer = vtkSmartPointer<vtkPNGWriter>::New();
+  }
+  writer->SetInputData(picture);
+  writer->SetFileName(file.temporary().c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != 0)
+  {
+    file.fail("the picture could not be stored");
+  }
+}
+
+class Movie
+{
+public:
+  Movie(const OutputFile& file, double step)
+    : File(file)
+  {
+    this->Writer->SetFileName(file.temporary().c_str());
+    this->Writer->SetRate(std::clamp(static_cast<int>(std::lround(1.0 / step)), 1, FastestMovie));
+    this->Writer->SetQuality(2);
+  }
+
+  void add(vtkImageData* picture)
+  {
+    this->Writer->SetInputData(picture);
+    if (!this->Begun)
+    {
+      this->Writer->Start();
+      this->Begun = true;
+    }
+    this->Writer->Write();
+    if (this->Writer->GetError() != 0)
+    {
+      this->File.fail("the movie could not be stored");
+    }
+  }
+
+  void end()
+  {
+    this->Writer->End();
+    if (this->Writer->GetError() != 0)
+    {
+      this->File.fail("the movie could not be stored");
+    }
+  }
+
+private:
+  const OutputFile& File;
+  vtkNew<vtkOggTheoraWriter> Writer;
+  bool Begun = false;
+};
+
+}
+
+void renderScene(const Request& request, Console& console, OutputFile& file)
+{
+  Pipeline pipeline(request, console);
+  vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
+  pipeline.traceRays();
+  vtkPolyData* rays = pipeline.computeHeights();
+  if (rays->GetNumberOfPoints() > MostRayPoints)
+  {
+    throw WorkError("the scene has too many waves to be drawn one by one; take a part of the seafloor with --crop");
+  }
+  const RenderRequest& render = request.render;
+  const auto size = render.size.value_or(StandardSize);
+  scene::SceneContent content;
+  content.seafloor = seafloor;
+  content.waterLevel = request.seafloor.options.waterLevel;
+  content.waveHeight = request.rays.wave.height;
+  content.wavelength = 2.0 * Pi / request.rays.wave.wavenumber();
+  content.directionFrom = request.rays.wave.directionFrom;
+  content.camera = cameraOf(request, seafloor);
+  content.sky = render.sun ? scene::SkyModel((*render.sun)[0], (*render.sun)[1])
+                           : scene::SkyModel(std::remainder(content.directionFrom + SunRight, 360.0), SunElevation);
+  content.width = size[0];
+  content.height = size[1];
+
+  const drawing::VirtualDisplay display;
+  scene::ScenePicture picture(content);
+  if (!render.times)
+  {
+    const double time = render.time.value_or(0.0);
+    writePicture(picture.draw(pipeline.makeSurface(time), time), file);
+    file.commit();
+    console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), size[0], size[1]));
+    return;
+  }
+  Movie movie(file, render.times->step);
+  const std::size_t count = render.times->count();
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double time = render.times->at(i);
+    movie.add(picture.draw(pipeline.makeSurface(time), time));
+    console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
+  }
+  console.endProgress();
+  movie.end();
+  file.commit();
+  console.say(fmt::format("wrote {}, {} frames of {} x {} pixels", file.path(), count, size[0], size[1]));
+}
+
+}

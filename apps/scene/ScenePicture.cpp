@@ -1,0 +1,223 @@
+#include "ScenePicture.h"
+
+#include "SceneShaders.h"
+
+#include "apps/drawing/Relief.h"
+#include "sim/Angles.h"
+
+#include <vtkCamera.h>
+#include <vtkDataObject.h>
+#include <vtkDiskSource.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
+#include <vtkLight.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkShaderProperty.h>
+#include <vtkSphereSource.h>
+#include <vtkUniforms.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace swellray::scene
+{
+
+namespace
+{
+
+// Drawn larger and averaged down: smooth edges on any driver.
+constexpr int Oversampling = 2;
+constexpr int LargestOversampled = 4000;
+
+constexpr vtkIdType MostReliefNodes = 1000000;
+
+// How far the open sea goes on beyond the scene: to the horizon of somebody on a high shore, and over many scenes.
+constexpr double LeastHorizon = 12000.0; // m
+constexpr double ScenesToHorizon = 8.0;
+
+// The open sea lies under the troughs of the waves, wave heights.
+constexpr double OpenSeaDepth = 0.55;
+
+constexpr double Visibility = 15000.0; // m
+
+// Ripples and patches of foam over the wavelength offshore, and the largest, m.
+constexpr double RippleShare = 0.06;
+constexpr double LongestRipple = 2.5;
+constexpr double FoamShare = 0.08;
+constexpr double LargestFoam = 4.0;
+
+void setUniform(vtkUniforms* uniforms, const char* name, const std::array<double, 3>& value)
+{
+  const float values[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]), static_cast<float>(value[2]) };
+  uniforms->SetUniform3f(name, values);
+}
+
+void setUniform(vtkUniforms* uniforms, const char* name, double value)
+{
+  uniforms->SetUniformf(name, static_cast<float>(value));
+}
+
+}
+
+ScenePicture::ScenePicture(const SceneContent& content)
+  : Content(content)
+{
+  double bounds[6];
+  content.seafloor->GetBounds(bounds);
+  this->Extent = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+
+  vtkNew<vtkSphereSource> dome;
+  const double horizon = std::max(LeastHorizon, ScenesToHorizon * this->Extent);
+  dome->SetRadius(1.5 * horizon);
+  dome->SetCenter(content.camera.eye[0], content.camera.eye[1], content.camera.eye[2]);
+  dome->SetThetaResolution(64);
+  dome->SetPhiResolution(64);
+  dome->Update();
+  this->addPart(this->Sky, this->SkyMapper, dome->GetOutput(), false, skyCode());
+  this->addPart(this->Land, this->LandMapper, drawing::reliefOf(content.seafloor, MostReliefNodes), false, landCode());
+  this->addPart(this->OpenSea, this->OpenSeaMapper, this->openSea(), true, waterCode());
+  vtkNew<vtkPolyData> none;
+  this->addPart(this->Sea, this->SeaMapper, none, true, waterCode());
+
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetPosition(content.camera.eye.data());
+  camera->SetFocalPoint(content.camera.focus.data());
+  camera->SetViewUp(content.camera.up.data());
+  camera->SetViewAngle(content.camera.angle);
+  const double over = content.camera.eye[2] - content.waterLevel;
+  camera->SetClippingRange(std::max(0.2, 0.2 * over), 2.0 * horizon);
+  // Light is the shaders' own; without one VTK passes no normals to them.
+  this->Renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> light;
+  this->Renderer->AddLight(light);
+
+  const int factor = std::max(content.width, content.height) <= LargestOversampled ? Oversampling : 1;
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetShowWindow(false);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(content.width * factor, content.height * factor);
+  this->Window->AddRenderer(this->Renderer);
+}
+
+void ScenePicture::addPart(
+  vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, bool isWater, const std::string& code)
+{
+  mapper->SetInputData(data);
+  mapper->ScalarVisibilityOff();
+  // Shaders compute with places in metres.
+  if (auto* drawn = vtkOpenGLPolyDataMapper::SafeDownCast(mapper))
+  {
+    drawn->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  }
+  if (isWater)
+  {
+    mapper->MapDataArrayToVertexAttribute("foamMC", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    mapper->MapDataArrayToVertexAttribute("depthMC", "Depth", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+  }
+  actor->SetMapper(mapper);
+  vtkShaderProperty* shader = actor->GetShaderProperty();
+  shader->AddVertexShaderReplacement(
+    "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\n" + vertexDeclarations(isWater), false);
+  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, "//VTK::Normal::Impl\n" + vertexCode(isWater), false);
+  const std::string water = isWater ? "in float foam;\nin float bedDepth;\n" : "";
+  shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
+    "//VTK::Normal::Dec\nin vec3 place;\nin vec3 normal;\n" + water + sharedFunctions(), false);
+  shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
+  this->setUniforms(actor, 0.0);
+  this->Renderer->AddActor(actor);
+}
+
+void ScenePicture::setUniforms(vtkActor* actor, double time)
+{
+  vtkUniforms* uniforms = actor->GetShaderProperty()->GetFragmentCustomUniforms();
+  const SkyModel& sky = this->Content.sky;
+  const char* names[] = { "perezA", "perezB", "perezC", "perezD", "perezE" };
+  for (std::size_t i = 0; i < 5; ++i)
+  {
+    setUniform(uniforms, names[i], sky.coefficients()[i]);
+  }
+  setUniform(uniforms, "skyScale", sky.scale());
+  setUniform(uniforms, "sunDirection", sky.sun());
+  setUniform(uniforms, "middle", sky.middleLuminance());
+  setUniform(uniforms, "eye", this->Content.camera.eye);
+  setUniform(uniforms, "waterLevel", this->Content.waterLevel);
+  setUniform(uniforms, "waveHeight", this->Content.waveHeight);
+  setUniform(uniforms, "time", time);
+  setUniform(uniforms, "rippleHeading", headingFromNautical(this->Content.directionFrom) + 0.3);
+  setUniform(uniforms, "rippleLength", std::min(LongestRipple, RippleShare * this->Content.wavelength));
+  setUniform(uniforms, "foamSize", std::min(LargestFoam, FoamShare * this->Content.wavelength));
+  setUniform(uniforms, "haze", Visibility);
+}
+
+vtkSmartPointer<vtkPolyData> ScenePicture::openSea() const
+{
+  vtkNew<vtkDiskSource> disk;
+  disk->SetInnerRadius(0.0);
+  disk->SetOuterRadius(std::max(LeastHorizon, ScenesToHorizon * this->Extent));
+  disk->SetRadialResolution(2);
+  disk->SetCircumferentialResolution(96);
+  disk->Update();
+  auto sea = vtkSmartPointer<vtkPolyData>::New();
+  sea->DeepCopy(disk->GetOutput());
+  const vtkIdType count = sea->GetNumberOfPoints();
+  vtkNew<vtkFloatArray> foam;
+  foam->SetName("Foam");
+  foam->SetNumberOfTuples(count);
+  foam->Fill(0.0);
+  vtkNew<vtkDoubleArray> depth;
+  depth->SetName("Depth");
+  depth->SetNumberOfTuples(count);
+  double range[2];
+  this->Content.seafloor->GetPointData()->GetArray("Elevation")->GetFiniteRange(range, 0);
+  depth->Fill(std::max(0.0, this->Content.waterLevel - range[0]));
+  vtkNew<vtkFloatArray> normals;
+  normals->SetName("Normals");
+  normals->SetNumberOfComponents(3);
+  normals->SetNumberOfTuples(count);
+  vtkNew<vtkPoints> points;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    double p[3];
+    sea->GetPoint(i, p);
+    points->InsertNextPoint(p[0] + this->Content.camera.eye[0], p[1] + this->Content.camera.eye[1],
+      this->Content.waterLevel - OpenSeaDepth * this->Content.waveHeight);
+    normals->SetTuple3(i, 0.0, 0.0, 1.0);
+  }
+  sea->SetPoints(points);
+  sea->GetPointData()->AddArray(foam);
+  sea->GetPointData()->AddArray(depth);
+  sea->GetPointData()->SetNormals(normals);
+  return sea;
+}
+
+vtkSmartPointer<vtkImageData> ScenePicture::draw(vtkPolyData* surface, double time)
+{
+  this->SeaMapper->SetInputData(surface);
+  for (vtkActor* actor : { this->Sky.Get(), this->Sea.Get(), this->OpenSea.Get(), this->Land.Get() })
+  {
+    this->setUniforms(actor, time);
+  }
+  this->Window->Render();
+  vtkNew<vtkWindowToImageFilter> grab;
+  grab->SetInput(this->Window);
+  grab->SetInputBufferTypeToRGB();
+  grab->ReadFrontBufferOff();
+  grab->ShouldRerenderOff();
+  const int factor = this->Window->GetSize()[0] / this->Content.width;
+  vtkNew<vtkImageShrink3D> shrink;
+  shrink->SetInputConnection(grab->GetOutputPort());
+  shrink->SetShrinkFactors(factor, factor, 1);
+  shrink->MeanOn();
+  shrink->Update();
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->DeepCopy(shrink->GetOutput());
+  return picture;
+}
+
+}

@@ -1,0 +1,65 @@
+#pragma once
+
+#include "SceneCamera.h"
+#include "SkyModel.h"
+
+#include <vtkActor.h>
+#include <vtkNew.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+
+class vtkImageData;
+class vtkPolyData;
+
+namespace swellray::scene
+{
+
+/** What a picture of a scene is made of. */
+struct SceneContent
+{
+  vtkImageData* seafloor = nullptr; ///< point array Elevation, m
+  double waterLevel = 0.0;          ///< m
+  double waveHeight = 1.0;          ///< offshore, m
+  double wavelength = 100.0;        ///< offshore, m
+  double directionFrom = 270.0;     ///< of the waves, nautical degrees
+  SceneCamera camera;
+  SkyModel sky{ 250.0, 35.0 };
+  int width = 1600; ///< of the picture, pixels
+  int height = 900;
+};
+
+/**
+ * Pictures of sky, sea and shore, drawn off screen by shaders of our own: the sky by SkyModel and its reflection by
+ * Fresnel's law (Schlick 1994), ripples of the wind, light through shallow water and thin crests, foam, sand that is wet
+ * as high as waves come, and air in between.
+ *
+ * It needs a display (drawing::VirtualDisplay).
+ */
+class ScenePicture
+{
+public:
+  explicit ScenePicture(const SceneContent& content);
+
+  /**
+   * Draw the sea at a time.
+   * @param surface of vtkSwellFoam: point arrays Normals, Foam and Depth
+   * @return red, green, blue, unsigned char, the lower row first
+   */
+  vtkSmartPointer<vtkImageData> draw(vtkPolyData* surface, double time);
+
+private:
+  void addPart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, bool isWater, const std::string& code);
+  void setUniforms(vtkActor* actor, double time);
+  vtkSmartPointer<vtkPolyData> openSea() const;
+
+  SceneContent Content;
+  double Extent = 1.0; // of the scene, m
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkActor> Sky, Sea, OpenSea, Land;
+  vtkNew<vtkPolyDataMapper> SkyMapper, SeaMapper, OpenSeaMapper, LandMapper;
+};
+
+}

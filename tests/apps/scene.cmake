@@ -1,0 +1,15 @@
+# Pictures of the water itself, as their users meet them; what is seen on them is tested in tests/scene.
+set(scene "$SWELLRAY render bay --style scene --period 3 --direction 90 --height 0.4 --quiet")
+
+swellray_cli_test(scene_without_wave 2 "" "--style scene needs waves" "$SWELLRAY render bay --style scene -o p.png")
+swellray_cli_test(scene_of_rays 2 "" "traces its own rays" "${scene} --rays r.vtp -o p.png")
+swellray_cli_test(scene_ellipsoid 2 "" "--style scene works on a plane" "${scene} --earth ellipsoid -o p.png")
+swellray_cli_test(scene_camera_name 2 "" "--camera must be shore, aerial or chart, not 'boat'" "${scene} --camera boat -o p.png")
+swellray_cli_test(scene_camera_numbers 2 "" "--camera needs shore, aerial, chart or" "${scene} --camera 1,2,3 -o p.png")
+swellray_cli_test(scene_camera_nowhere 2 "" "of two places" "${scene} --camera 1,2,3,1,2,3 -o p.png")
+swellray_cli_test(scene_sun_set 2 "" "elevation of 2 to 90 degrees" "${scene} --sun 180,-3 -o p.png")
+swellray_cli_test(scene_movie_without_times 2 "" "a movie needs --times" "${scene} -o m.ogv")
+swellray_cli_test(scene_times_without_movie 2 "" "--times needs a movie" "${scene} --times 0:1:0.1 -o p.png")
+swellray_cli_test(chart_camera 2 "" "need --style scene" "$SWELLRAY render bay --camera aerial -o p.png")
+swellray_cli_test(chart_movie 2 "" "need --style scene" "$SWELLRAY render bay -o p.ogv")
+swellray_cli_test(scene_no_display 1 "" "no display to draw on" "env -u DISPLAY PATH=/nowhere ${scene} -o p.png")
