@@ -85,7 +85,7 @@ void checkScene(const Request& request)
   const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
   if (!render.scene)
   {
-    if (render.sceneOnly || render.times || movie)
+    if (render.sceneOnly || render.time || render.times || movie)
     {
       throw UsageError("--camera, --sun, --time, --times and a movie (.ogv) need --style scene");
     }

@@ -13,3 +13,4 @@ swellray_cli_test(scene_times_without_movie 2 "" "--times needs a movie" "${scen
 swellray_cli_test(chart_camera 2 "" "need --style scene" "$SWELLRAY render bay --camera aerial -o p.png")
 swellray_cli_test(chart_movie 2 "" "need --style scene" "$SWELLRAY render bay -o p.ogv")
 swellray_cli_test(scene_no_display 1 "" "no display to draw on" "env -u DISPLAY PATH=/nowhere ${scene} -o p.png")
+swellray_cli_test(chart_time 2 "" "need --style scene" "$SWELLRAY render bay --time 2 -o p.png")
