@@ -243,7 +243,7 @@ CurrentGrids readCurrent(
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error("current '" + path + "': " + error.what());
+    throw std::runtime_error(oneLine("current '" + path + "': " + error.what()));
   }
 }
 

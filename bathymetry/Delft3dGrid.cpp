@@ -156,6 +156,8 @@ ModelGrid readDelft3dGrid(const std::string& grd, const std::string& dep)
   }
   grid.vertical.rule = "down";
   grid.vertical.ruleSource = "Delft3D depth";
+  grid.vertical.units = "m";
+  grid.vertical.unitsSource = "Delft3D's unit";
   return grid;
 }
 

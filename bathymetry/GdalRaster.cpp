@@ -94,6 +94,13 @@ void GdalRaster::selectBand(const std::string& variable)
 void GdalRaster::readPlace()
 {
   RasterHeader& header = this->Header;
+  // With what lies beside it: a .prj, a .aux.xml, overviews.
+  char** const files = this->Dataset->GetFileList();
+  for (char** file = files; file && *file; ++file)
+  {
+    header.files.emplace_back(*file);
+  }
+  CSLDestroy(files);
   header.columns = static_cast<std::size_t>(this->Dataset->GetRasterXSize());
   header.rows = static_cast<std::size_t>(this->Dataset->GetRasterYSize());
   double a[6];

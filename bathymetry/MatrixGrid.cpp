@@ -213,6 +213,8 @@ ModelGrid readCelerisGrid(const std::string& matrix, const std::string& configur
   grid.columns = values.columns;
   grid.rows = values.rows;
   grid.values = std::move(values.values);
+  grid.vertical.units = "m";
+  grid.vertical.unitsSource = "Celeris's unit";
   grid.layOut(glm::dvec2(0.0), 0.0, dx, dy);
   return grid;
 }

@@ -39,10 +39,19 @@ std::string headOf(const fs::path& path)
   return head.find('\0') == std::string::npos ? head : std::string();
 }
 
-// Texts of the files that one file names, in its folder.
-FileText besides(const fs::path& path)
+using Files = std::vector<std::string>;
+
+// The text of a file, which is then one of those that were read.
+std::string readText(const fs::path& path, Files& files)
 {
-  return [path](const std::string& name)
+  files.push_back(path.string());
+  return readTextFile(path.string());
+}
+
+// Texts of the files that one file names, in its folder.
+FileText besides(const fs::path& path, Files& files)
+{
+  return [path, &files](const std::string& name)
   {
     std::string portable = name;
     std::replace(portable.begin(), portable.end(), '\\', '/');
@@ -53,7 +62,7 @@ FileText besides(const fs::path& path)
       const fs::path here = path.parent_path() / fs::path(portable).filename();
       found = fs::exists(here, error) ? here : found;
     }
-    return readTextFile(found.string());
+    return readText(found, files);
   };
 }
 
@@ -99,7 +108,7 @@ std::optional<fs::path> companion(const fs::path& path, char letter)
   return {};
 }
 
-std::optional<ModelGrid> readMatrices(const fs::path& path)
+std::optional<ModelGrid> readMatrices(const fs::path& path, Files& files)
 {
   const std::optional<fs::path> x = companion(path, 'x');
   const std::optional<fs::path> y = companion(path, 'y');
@@ -107,20 +116,20 @@ std::optional<ModelGrid> readMatrices(const fs::path& path)
   {
     return {};
   }
-  return readMatrixGrid(readTextFile(x->string()), readTextFile(y->string()), readTextFile(path.string()));
+  return readMatrixGrid(readText(*x, files), readText(*y, files), readText(path, files));
 }
 
-ModelGrid readDelft3dFiles(const fs::path& path)
+ModelGrid readDelft3dFiles(const fs::path& path, Files& files)
 {
   // An XBeach run may use such a grid; its params.txt then says which way its depths count.
   std::error_code error;
   const fs::path params = path.parent_path() / "params.txt";
   if (fs::exists(params, error))
   {
-    const std::string text = readTextFile(params.string());
+    const std::string text = readText(params, files);
     if (fs::path(Settings(text).word("xyfile")).filename() == path.filename())
     {
-      return readXbeachGrid(text, besides(path));
+      return readXbeachGrid(text, besides(path, files));
     }
   }
   fs::path depth = path;
@@ -136,14 +145,15 @@ ModelGrid readDelft3dFiles(const fs::path& path)
     }
     depth = candidates.front();
   }
-  ModelGrid grid = readDelft3dGrid(readTextFile(path.string()), readTextFile(depth.string()));
+  ModelGrid grid = readDelft3dGrid(readText(path, files), readText(depth, files));
   grid.notes.push_back("depths from '" + depth.filename().string() + "'");
   return grid;
 }
 
-ModelGrid readDelft3dRun(const fs::path& path)
+ModelGrid readDelft3dRun(const fs::path& path, Files& files)
 {
-  const Settings settings(readTextFile(path.string()));
+  const std::string run = readText(path, files);
+  const Settings settings(run);
   const std::string grid = settings.word("filcco");
   const std::string depth = settings.word("fildep");
   if (grid.empty() || depth.empty())
@@ -156,12 +166,12 @@ ModelGrid readDelft3dRun(const fs::path& path)
       "its depths lie at the cells' centres (Dpsopt = DP), which are not read; bring them to the "
       "corners first");
   }
-  const FileText open = besides(path);
+  const FileText open = besides(path, files);
   return readDelft3dGrid(open(grid), open(depth));
 }
 
 // A matrix of numbers in a .txt file whose size a configuration beside it has.
-std::optional<ModelGrid> readCelerisFiles(const fs::path& path)
+std::optional<ModelGrid> readCelerisFiles(const fs::path& path, Files& files)
 {
   constexpr std::uintmax_t longest = 1000000; // a configuration is a page of text
   std::optional<std::string> fits;
@@ -194,50 +204,51 @@ std::optional<ModelGrid> readCelerisFiles(const fs::path& path)
         throw std::runtime_error("several .json files beside it have its size; leave one");
       }
       fits = text;
+      files.push_back(candidate.string());
     }
   }
   if (!fits)
   {
     return {};
   }
-  return readCelerisGrid(readTextFile(path.string()), *fits);
+  return readCelerisGrid(readText(path, files), *fits);
 }
 
-std::optional<ModelGrid> readByKind(const fs::path& path)
+std::optional<ModelGrid> readByKind(const fs::path& path, Files& files)
 {
   const std::string ending = endingOf(path);
   const std::string name = plain(path.filename().string());
   if (ending == ".swn")
   {
-    return readSwanGrid(readTextFile(path.string()), besides(path));
+    return readSwanGrid(readText(path, files), besides(path, files));
   }
   if (ending == ".sim")
   {
-    return readStwaveGrid(readTextFile(path.string()), besides(path));
+    return readStwaveGrid(readText(path, files), besides(path, files));
   }
   if (ending == ".txt" && name.find("params") != std::string::npos)
   {
-    return readXbeachGrid(readTextFile(path.string()), besides(path));
+    return readXbeachGrid(readText(path, files), besides(path, files));
   }
   if (ending == ".mdf")
   {
-    return readDelft3dRun(path);
+    return readDelft3dRun(path, files);
   }
-  if (std::optional<ModelGrid> grid = readMatrices(path))
+  if (std::optional<ModelGrid> grid = readMatrices(path, files))
   {
     return grid;
   }
   if (ending == ".grd" && isDelft3dGrid(headOf(path)))
   {
-    return readDelft3dFiles(path);
+    return readDelft3dFiles(path, files);
   }
   if (ending == ".grid" && isFrfTable(headOf(path)))
   {
-    return readFrfTable(readTextFile(path.string()));
+    return readFrfTable(readText(path, files));
   }
   if (ending == ".txt")
   {
-    return readCelerisFiles(path);
+    return readCelerisFiles(path, files);
   }
   if (ending == ".bot" || ending == ".dep")
   {
@@ -257,7 +268,12 @@ std::optional<ModelGrid> readModelGrid(const std::string& path)
   {
     return {};
   }
-  std::optional<ModelGrid> grid = readByKind(path);
+  Files files;
+  std::optional<ModelGrid> grid = readByKind(path, files);
+  if (grid)
+  {
+    grid->files = std::move(files);
+  }
   if (grid && !grid->places.empty())
   {
     grid->makeRegular();

@@ -50,6 +50,7 @@ public:
     this->Header.crsSource = grid.crsSource;
     this->Header.vertical = grid.vertical;
     this->Header.notes = std::move(grid.notes);
+    this->Header.files = std::move(grid.files);
   }
 
   std::vector<double> read(const RasterWindow& window, double nodata) const override
@@ -128,6 +129,7 @@ Soundings soundingsOf(ModelGrid&& grid)
   soundings.crs = grid.crs;
   soundings.crsSource = grid.crsSource;
   soundings.notes = std::move(grid.notes);
+  soundings.files = std::move(grid.files);
   constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(grid.places.size(), none);
   for (std::size_t i = 0; i < grid.places.size(); ++i)

@@ -34,6 +34,7 @@ struct ModelGrid
   std::string crsSource;
   VerticalMetadata vertical;
   std::vector<std::string> notes;
+  std::vector<std::string> files; ///< that it was read from
 
   /** Lay the columns along `azimuth` (degrees anticlockwise from x), the rows a quarter turn to their left. */
   void layOut(const glm::dvec2& origin, double azimuth, double columnSpacing, double rowSpacing);

@@ -373,7 +373,7 @@ ObstacleFile readObstacles(
   }
   catch (const std::runtime_error& error)
   {
-    throw std::runtime_error("obstacles '" + path + "': " + error.what());
+    throw std::runtime_error(oneLine("obstacles '" + path + "': " + error.what()));
   }
 }
 

@@ -35,6 +35,7 @@ struct RasterHeader
   std::string crsSource;        ///< where the CRS comes from if not a CRS in the file, e.g. axes in degrees
   VerticalMetadata vertical;
   std::vector<std::string> notes;
+  std::vector<std::string> files; ///< that it was read from where there are several
 
   glm::dvec2 node(double column, double row) const
   {

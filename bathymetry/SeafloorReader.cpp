@@ -123,6 +123,7 @@ Bathymetry readScattered(
   result.georeference = gridded.georeference;
   requireWater(result.grid, options, gridded.meaning);
   said.path = path;
+  said.files = soundings.files;
   said.driver = soundings.driver;
   said.variable = soundings.variable;
   said.fileExtent = gridded.fileExtent;
@@ -143,6 +144,7 @@ Bathymetry readRaster(
   const RasterHeader& header = source.header();
   const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
   said.path = path;
+  said.files = header.files;
   said.driver = header.driver;
   said.variable = header.variable;
   said.fileColumns = header.columns;
@@ -231,7 +233,8 @@ Bathymetry named(const std::string& path, const SeafloorOptions& options, const 
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error("seafloor '" + path + "': " + error.what());
+    // Words of the file may be in it.
+    throw std::runtime_error(oneLine("seafloor '" + path + "': " + error.what()));
   }
 }
 

@@ -41,6 +41,7 @@ struct Soundings
   std::vector<std::uint32_t> cellNodes;
 
   std::vector<std::string> notes; ///< what a user should know, one line each
+  std::vector<std::string> files; ///< that they were read from where there are several
 
   std::size_t size() const { return this->z.size(); }
 

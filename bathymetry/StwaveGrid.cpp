@@ -116,6 +116,11 @@ ModelGrid readStwaveGrid(const std::string& sim, const FileText& open)
     throw std::runtime_error("'" + name + "' has several fields; a depth file has one");
   }
   grid.vertical.units = header.word("fldunits(1)");
+  if (grid.vertical.units.empty())
+  {
+    grid.vertical.units = "m";
+    grid.vertical.unitsSource = "STWAVE's unit";
+  }
   grid.vertical.rule = "down";
   grid.vertical.ruleSource = "STWAVE depth";
 

@@ -467,6 +467,8 @@ ModelGrid readSwanGrid(const std::string& commands, const FileText& open)
   }
   grid.vertical.rule = "down";
   grid.vertical.ruleSource = "SWAN bottom";
+  grid.vertical.units = "m";
+  grid.vertical.unitsSource = "SWAN's unit";
   if (deck.spherical)
   {
     grid.crs = "EPSG:4326";

@@ -29,7 +29,7 @@ std::string oneLine(const std::string& words)
       line += ' ';
       blank = false;
     }
-    line += c;
+    line += std::iscntrl(static_cast<unsigned char>(c)) ? '?' : c;
   }
   return line;
 }

@@ -11,7 +11,7 @@ std::string text(double value, int digits = 6);
 /** Without blanks at its ends, in lower case. */
 std::string plain(const std::string& word);
 
-/** On one line: every run of white space is one blank. */
+/** On one line: every run of white space is one blank, and other control characters, which a terminal obeys, are '?'. */
 std::string oneLine(const std::string& words);
 
 }

@@ -120,7 +120,7 @@ VerticalMeaning understandVertical(const VerticalMetadata& metadata, Positive po
   {
     metres = known;
     meaning.units = known == 1.0 ? "metres" : metadata.units + " (" + text(known, 10) + " m)";
-    meaning.unitsSource = "units '" + metadata.units + "'";
+    meaning.unitsSource = metadata.unitsSource.empty() ? "units '" + metadata.units + "'" : metadata.unitsSource;
   }
   else
   {

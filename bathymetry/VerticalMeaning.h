@@ -16,6 +16,7 @@ struct VerticalMetadata
   std::string units;        ///< e.g. "m", "feet", "fathoms"
   std::string rule;         ///< "up" or "down" where the format or a vertical CRS fixes it
   std::string ruleSource;   ///< what fixes it
+  std::string unitsSource;  ///< what fixes the unit where the format does, e.g. "SWAN's unit"
 };
 
 /** No place on Earth is further from the sea's level, m. */

@@ -78,6 +78,8 @@ ModelGrid readXbeachGrid(const std::string& params, const FileText& open)
   grid.format = "XBeach";
   const double downward = settings.number("posdwn", 1.0);
   grid.vertical.rule = downward > 0.0 ? "down" : "up";
+  grid.vertical.units = "m";
+  grid.vertical.unitsSource = "XBeach's unit";
   grid.vertical.ruleSource = settings.has("posdwn") ? "posdwn = " + text(downward) : "XBeach: posdwn is 1 unless set";
   return grid;
 }

@@ -21,13 +21,16 @@
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkSwellSeafloorReader);
 
 /** What was read last, and from what. */
 struct vtkSwellSeafloorReader::Reading
 {
-  std::string source; // file, its date and the options
+  std::string source; // file and the options
+  std::string dates;  // of the file and of those that it names
   vtkSmartPointer<vtkImageData> image;
   swellray::SeafloorReport report;
 };
@@ -39,12 +42,6 @@ std::string describeSource(const std::string& name, const swellray::SeafloorOpti
 {
   std::ostringstream words;
   words << std::hexfloat << name << '\n';
-  std::error_code none;
-  const auto date = std::filesystem::last_write_time(name, none);
-  if (!none)
-  {
-    words << date.time_since_epoch().count();
-  }
   const std::array<double, 4> crop = options.crop.value_or(std::array<double, 4>{});
   words << '\n' << options.crop.has_value();
   for (const double side : crop)
@@ -58,6 +55,21 @@ std::string describeSource(const std::string& name, const swellray::SeafloorOpti
         << ' ' << options.dropOutliers << ' ' << options.crossValidate << '\n'
         << options.crs << '\n'
         << options.variable;
+  return words.str();
+}
+
+// When a file, and those that were read with it, were last written; a file that is gone has no date.
+std::string describeDates(const std::string& name, const swellray::SeafloorReport& report)
+{
+  std::ostringstream words;
+  std::vector<std::string> files = report.files;
+  files.push_back(name);
+  for (const std::string& file : files)
+  {
+    std::error_code none;
+    const auto date = std::filesystem::last_write_time(file, none);
+    words << file << ' ' << (none ? 0 : date.time_since_epoch().count()) << '\n';
+  }
   return words.str();
 }
 
@@ -134,7 +146,7 @@ bool vtkSwellSeafloorReader::Load()
     options.dropOutliers = this->DropOutliers != 0;
     options.crossValidate = this->CrossValidate != 0;
     const std::string source = describeSource(name, options);
-    if (this->Kept && this->Kept->source == source)
+    if (this->Kept && this->Kept->source == source && this->Kept->dates == describeDates(name, this->Kept->report))
     {
       return true;
     }
@@ -144,6 +156,7 @@ bool vtkSwellSeafloorReader::Load()
     this->Kept->image = imageOf(scene);
     this->Kept->report = scene.bathymetry.report;
     this->Kept->source = source;
+    this->Kept->dates = describeDates(name, this->Kept->report);
   }
   catch (const std::exception& error)
   {

@@ -3,6 +3,8 @@
 #include "FilterRun.h"
 #include "OutputFile.h"
 
+#include "bathymetry/Text.h"
+
 #include <vtkSMPTools.h>
 
 #include <cstdio>
@@ -27,7 +29,7 @@ void run(const Call& call)
 
 int report(const char* message, int code)
 {
-  std::fprintf(stderr, "swellray: %s\n", message);
+  std::fprintf(stderr, "swellray: %s\n", oneLine(message).c_str());
   return code;
 }
 

@@ -128,6 +128,7 @@ TEST(XbeachGrid, EqualStepsTurnedAndMoved)
   EXPECT_EQ(grid.rowStep, glm::dvec2(0.0, 8.0));
   EXPECT_TRUE(grid.places.empty());
   EXPECT_EQ(grid.vertical.rule, "down") << "unless set";
+  EXPECT_EQ(grid.vertical.unitsSource, "XBeach's unit");
   EXPECT_EQ(readXbeachGrid(params + "posdwn = 1\n", files.open()).vertical.rule, "down");
   EXPECT_EQ(readXbeachGrid(params + "posdwn = 0\n", files.open()).vertical.rule, "up");
   EXPECT_EQ(readXbeachGrid(params + "posdwn = -1\n", files.open()).vertical.rule, "up");

@@ -54,6 +54,10 @@ TEST(StwaveGrid, CellsLieInTheMiddleAndTheLastRowComesFirst)
   EXPECT_EQ(grid.rowStep, glm::dvec2(0.0, 8.0));
   EXPECT_EQ(grid.vertical.rule, "down");
   EXPECT_EQ(grid.vertical.units, "ft");
+  std::string unsaid = dep(values());
+  unsaid.erase(unsaid.find("\"ft\"") + 1, 2);
+  EXPECT_EQ(read(sim(), unsaid).vertical.units, "m");
+  EXPECT_EQ(read(sim(), unsaid).vertical.unitsSource, "STWAVE's unit");
   EXPECT_EQ(grid.crs, "");
 }
 

@@ -185,6 +185,7 @@ TEST_F(SwanFileTest, IsASeafloorByItsCommandFile)
   const Bathymetry read = readSeafloor(this->Files.file("a.swn"));
   EXPECT_EQ(read.report.driver, "SWAN");
   EXPECT_EQ(read.report.signSource, "SWAN bottom");
+  EXPECT_EQ(read.report.unitsSource, "SWAN's unit");
   EXPECT_EQ(read.grid.columns, 40u);
   EXPECT_EQ(read.grid.rows, 30u);
   constexpr double printed = 1e-6; // six decimals in the file

@@ -54,6 +54,9 @@ TEST(VerticalMeaning, Units)
   EXPECT_EQ(metresPerUnit("degrees_north"), 0.0);
   EXPECT_EQ(metresPerUnit(""), 0.0);
   EXPECT_DOUBLE_EQ(meaningOf("down", "", "fathoms").factor, -1.8288);
+  EXPECT_EQ(meaningOf("", "", "").unitsSource, "assumed");
+  EXPECT_EQ(meaningOf("", "", "m").unitsSource, "units 'm'");
+  EXPECT_EQ(understandVertical({ "", "", "m", "down", "the format", "SWAN's unit" }, Positive::Auto).unitsSource, "SWAN's unit");
   EXPECT_EQ(meaningOf("", "", "kelvin").factor, 1.0);
   EXPECT_EQ(meaningOf("", "", "kelvin").notes.size(), 1u);
 }

@@ -188,6 +188,42 @@ TEST(SeafloorReader, readsAFileOnceUntilItOrAnOptionChanges)
   EXPECT_NE(elevations(), smoothed);
 }
 
+TEST(SeafloorReader, readsAgainWhereAFileChangesThatItsFileNames)
+{
+  const TemporaryFolder folder;
+  const std::string row = "5 4 3 2 1\n";
+  const std::string bottom = folder.write("a.bot", row + row + row + row);
+  const std::string run = folder.write(
+    "a.swn", "INPGRID BOTTOM 0. 0. 0. 4 3 50. 50.\nREADINP BOTTOM 1. 'a.bot' 3 0 FREE\n");
+  vtkNew<vtkSwellSeafloorReader> reader;
+  reader->SetFileName(run.c_str());
+  const auto elevations = [&]
+  {
+    reader->Modified();
+    reader->Update();
+    return vtkSmartPointer<vtkDataArray>(reader->GetOutput()->GetPointData()->GetScalars());
+  };
+  const vtkSmartPointer<vtkDataArray> first = elevations();
+  EXPECT_EQ(elevations(), first);
+  EXPECT_EQ(first->GetComponent(0, 0), -5.0);
+  const auto date = std::filesystem::last_write_time(bottom);
+  folder.write("a.bot", "9 8 7 6 5\n" + row + row + row);
+  std::filesystem::last_write_time(bottom, date + std::chrono::seconds(2));
+  EXPECT_EQ(elevations()->GetComponent(0, 0), -9.0);
+
+  // A raster's coordinate reference system may lie beside it.
+  const std::string raster = folder.write("b.asc", asciiGrid());
+  const std::string beside = folder.write("b.prj",
+    "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],"
+    "PRIMEM[\"Greenwich\",0.0],UNIT[\"Degree\",0.0174532925199433]]");
+  reader->SetFileName(raster.c_str());
+  reader->SetCRS("local");
+  const vtkSmartPointer<vtkDataArray> local = elevations();
+  EXPECT_EQ(elevations(), local);
+  std::filesystem::last_write_time(beside, std::filesystem::last_write_time(beside) + std::chrono::seconds(2));
+  EXPECT_NE(elevations(), local);
+}
+
 TEST(SeafloorReader, readsItsOwnImagesBack)
 {
   const TemporaryFolder folder;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "bathymetry/SeafloorReader.h"
 #include "bathymetry/SwanGrid.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -49,6 +51,27 @@ inline FileText nextOf(const std::vector<std::string>& texts, std::size_t& next)
   };
 }
 
+/** A folder of this process in which inputs become files; it goes with the process. */
+inline const std::filesystem::path& folder()
+{
+  static const std::filesystem::path path = []
+  {
+    const auto made = std::filesystem::temp_directory_path() / ("swellray-fuzz-" + std::to_string(getpid()));
+    std::filesystem::create_directories(made);
+    std::atexit([] { std::filesystem::remove_all(folder()); });
+    return made;
+  }();
+  return path;
+}
+
+/** Makes a file of that folder anew; returns its path. */
+inline std::string writeFile(const std::string& name, const std::string& text)
+{
+  const std::filesystem::path path = folder() / name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path.string();
+}
+
 /** Stops the fuzzer where a promise is broken. */
 inline void require(bool kept)
 {
@@ -58,7 +81,13 @@ inline void require(bool kept)
   }
 }
 
-/** Read; an error with one line is an answer, everything else stops the fuzzer. */
+/** Words for people are some, on one line. */
+inline void requireOneLine(const std::string& words)
+{
+  require(!words.empty() && words.find('\n') == std::string::npos);
+}
+
+/** Read; an error that says something is an answer, everything else stops the fuzzer. */
 template <typename Read>
 void expectAnswer(const Read& read)
 {
@@ -69,6 +98,32 @@ void expectAnswer(const Read& read)
   catch (const std::runtime_error& error)
   {
     require(error.what()[0] != '\0');
+  }
+}
+
+/** The same where the error is what a user is told: it must be one line. */
+template <typename Read>
+void expectOneLine(const Read& read)
+{
+  try
+  {
+    read();
+  }
+  catch (const std::runtime_error& error)
+  {
+    requireOneLine(error.what());
+  }
+}
+
+/** What every seafloor that was read keeps to. */
+inline void checkSeafloor(const Bathymetry& read)
+{
+  require(read.grid.elevation.size() == read.grid.columns * read.grid.rows);
+  require(read.report.waterShare > 0.0 && std::isfinite(read.report.lowest));
+  for (const auto& [label, words] : read.report.lines())
+  {
+    require(!label.empty());
+    requireOneLine(words);
   }
 }
 
