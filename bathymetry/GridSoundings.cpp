@@ -9,6 +9,7 @@
 #include "bathymetry/SoundingPlaces.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/ToMetres.h"
+#include "sim/EllipsoidMercator.h"
 
 #include <glm/common.hpp>
 
@@ -74,6 +75,14 @@ double twoDigits(double length)
   return std::round(length / unit) * unit;
 }
 
+// Cells by the places of their corners; a NaN corner makes its cells cover nothing.
+struct Cells
+{
+  std::vector<glm::dvec2> corners;
+  std::vector<std::size_t> offsets;
+  std::vector<std::uint32_t> nodes;
+};
+
 class Gridder
 {
 public:
@@ -93,7 +102,9 @@ private:
   void layOut();
   void interpolate(const NaturalNeighbours& neighbours);
   Rectangle wantedBox() const;
-  std::vector<glm::dvec2> cellCorners() const;
+  void requireSize(const Rectangle& box) const;
+  Cells cells(const std::vector<glm::dvec2>& places) const;
+  bool onEllipsoid() const { return this->Options.earth == EarthModel::Ellipsoid; }
 
   const Soundings& Input;
   const SeafloorOptions& Options;
@@ -118,6 +129,11 @@ void Gridder::place()
   }
   const glm::dvec2 origin(std::remainder(middle.x, 360.0), std::clamp(middle.y, -90.0, 90.0));
   this->Result.georeference = Georeference(this->Places.crs.crs, origin, low);
+  if (this->onEllipsoid() && this->Result.georeference.kind() != GeoreferenceKind::Geographic)
+  {
+    throw std::runtime_error("on the ellipsoid soundings must be in longitude and latitude; trace these on the plane "
+                             "(earth plane), or bring them to longitude and latitude first (ogr2ogr -t_srs EPSG:4326)");
+  }
   if (this->Result.georeference.kind() == GeoreferenceKind::Geographic)
   {
     const std::string coordinates = "its coordinates, " + text(extent.low.x, 9) + " to " + text(extent.high.x, 9) +
@@ -127,29 +143,70 @@ void Gridder::place()
       throw std::runtime_error(coordinates + " are no longitude and latitude, as CRS '" +
         this->Result.georeference.crsName() + "' would have them; say --crs");
     }
-    if (extent.size().x > WidestScene || extent.size().y > WidestScene)
+    if (this->onEllipsoid())
     {
-      throw std::runtime_error(
-        coordinates + " span more than " + text(WidestScene) + " degrees, too much for one plane map; use --crop");
+      constexpr double largest = EllipsoidMercator::LargestLatitude;
+      if (extent.low.y < -largest || extent.high.y > largest)
+      {
+        throw std::runtime_error(
+          coordinates + " reach beyond latitude " + text(largest) + " on the ellipsoid; leave these soundings out");
+      }
+      this->Result.georeference = Georeference::onEllipsoid(this->Places.crs.crs, origin.x, origin.y);
+    }
+    else if (extent.size().x > WidestScene || extent.size().y > WidestScene)
+    {
+      throw std::runtime_error(coordinates + " span more than " + text(WidestScene) +
+        " degrees, too much for one plane map; use --crop, or --earth ellipsoid");
     }
   }
   this->Points.resize(this->Places.file.size());
   this->Result.georeference.fromFile(this->Points.size(), this->Places.file.data(), this->Points.data());
 }
 
-// Corners of the cells by the numbers of their nodes; NaN where a node has no value.
-std::vector<glm::dvec2> Gridder::cellCorners() const
+// `places` are those of the soundings, in metres or in file coordinates; so are the corners then.
+Cells Gridder::cells(const std::vector<glm::dvec2>& places) const
 {
-  std::vector<glm::dvec2> corners(this->Input.size(), glm::dvec2(NotANumber));
-  for (std::size_t node = 0; node < corners.size(); ++node)
+  Cells cells{ {}, this->Input.cellOffsets, this->Input.cellNodes };
+  const auto hasData = [this](std::size_t sounding)
+  { return this->Places.placeOf[sounding] != SoundingPlaces::NoPlace; };
+  if (this->Input.cornerX.empty())
   {
-    const std::uint32_t place = this->Places.placeOf[node];
-    if (place != SoundingPlaces::NoPlace)
+    cells.corners.assign(this->Input.size(), glm::dvec2(NotANumber));
+    for (std::size_t node = 0; node < cells.corners.size(); ++node)
     {
-      corners[node] = this->Points[place];
+      if (hasData(node))
+      {
+        cells.corners[node] = places[this->Places.placeOf[node]];
+      }
+    }
+    return cells;
+  }
+  const std::size_t count = this->Input.cornerX.size();
+  const Georeference& place = this->Result.georeference;
+  const bool degrees = place.kind() == GeoreferenceKind::Geographic;
+  const double middle = 0.5 * (this->Places.extent.low.x + this->Places.extent.high.x);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double x = this->Input.cornerX[i];
+    cells.corners.emplace_back(degrees ? middle + std::remainder(x - middle, 360.0) : x, this->Input.cornerY[i]);
+  }
+  if (&places == &this->Points)
+  {
+    place.fromFile(count, cells.corners.data(), cells.corners.data());
+  }
+  cells.offsets.assign(1, 0);
+  cells.nodes.clear();
+  for (std::size_t cell = 0; cell < this->Input.size(); ++cell)
+  {
+    if (hasData(cell))
+    {
+      const auto first = this->Input.cellNodes.begin();
+      cells.nodes.insert(cells.nodes.end(), first + static_cast<std::ptrdiff_t>(this->Input.cellOffsets[cell]),
+        first + static_cast<std::ptrdiff_t>(this->Input.cellOffsets[cell + 1]));
+      cells.offsets.push_back(cells.nodes.size());
     }
   }
-  return corners;
+  return cells;
 }
 
 void Gridder::measureDistances(const NaturalNeighbours& neighbours)
@@ -172,7 +229,8 @@ void Gridder::measureDistances(const NaturalNeighbours& neighbours)
   double area = 0.0;
   if (cells)
   {
-    area = cellArea(this->cellCorners(), this->Input.cellOffsets, this->Input.cellNodes);
+    const Cells all = this->cells(this->Points);
+    area = cellArea(all.corners, all.offsets, all.nodes);
   }
   else
   {
@@ -247,8 +305,22 @@ void Gridder::judge(NaturalNeighbours& neighbours)
   }
 }
 
+// Metres, or degrees on the ellipsoid.
 Rectangle Gridder::wantedBox() const
 {
+  if (this->onEllipsoid())
+  {
+    Rectangle box = this->Places.extent;
+    if (const auto& crop = this->Options.crop)
+    {
+      const double turn =
+        360.0 * std::round((0.5 * (box.low.x + box.high.x) - 0.5 * ((*crop)[0] + (*crop)[2])) / 360.0);
+      box.low = glm::max(box.low, glm::dvec2((*crop)[0] + turn, (*crop)[1]));
+      box.high = glm::min(box.high, glm::dvec2((*crop)[2] + turn, (*crop)[3]));
+    }
+    this->requireSize(box);
+    return box;
+  }
   const Georeference& place = this->Result.georeference;
   Rectangle box{ this->Points.front(), this->Points.front() };
   for (const glm::dvec2& point : this->Points)
@@ -275,22 +347,40 @@ Rectangle Gridder::wantedBox() const
   const Rectangle wanted = inscribedRectangle(outline);
   box.low = glm::max(box.low, wanted.low);
   box.high = glm::min(box.high, wanted.high);
+  this->requireSize(box);
+  return box;
+}
+
+void Gridder::requireSize(const Rectangle& box) const
+{
   if (!(box.low.x < box.high.x && box.low.y < box.high.y))
   {
     const Rectangle& extent = this->Places.extent;
     throw std::runtime_error("crop lies outside of its soundings, whose extent is " + text(extent.low.x, 9) + "," +
       text(extent.low.y, 9) + "," + text(extent.high.x, 9) + "," + text(extent.high.y, 9));
   }
-  return box;
 }
 
 void Gridder::layOut()
 {
   SoundingReport& report = this->Result.report;
   const Rectangle box = this->wantedBox();
+  const Georeference& place = this->Result.georeference;
+  // Metres a degree in the middle; the map of the ellipsoid is true to scale there.
+  const glm::dvec2 middle = 0.5 * (box.low + box.high);
+  glm::dvec2 unit(1.0);
+  if (this->onEllipsoid())
+  {
+    constexpr double half = 0.05; // degrees
+    const double scale = place.scale(place.fromFile(middle));
+    unit.x = (place.fromFile(middle + glm::dvec2(half, 0.0)).x - place.fromFile(middle - glm::dvec2(half, 0.0)).x) /
+      (2.0 * half * scale);
+    unit.y = (place.fromFile(middle + glm::dvec2(0.0, half)).y - place.fromFile(middle - glm::dvec2(0.0, half)).y) /
+      (2.0 * half * scale);
+  }
   if (report.spacingChosen)
   {
-    const double least = std::sqrt(box.size().x * box.size().y / NodesUnasked);
+    const double least = std::sqrt(box.size().x * unit.x * box.size().y * unit.y / NodesUnasked);
     if (report.spacing < least)
     {
       report.spacing = twoDigits(least);
@@ -299,22 +389,24 @@ void Gridder::layOut()
         " million nodes; choose another spacing with --resample");
     }
   }
-  const bool geographic = this->Result.georeference.kind() == GeoreferenceKind::Geographic;
-  this->Result.grid = layOutGrid(box, glm::dvec2(report.spacing), geographic);
-  if (geographic)
+  const bool geographic = place.kind() == GeoreferenceKind::Geographic;
+  this->Result.grid = layOutGrid(box, report.spacing / unit, geographic);
+  if (geographic && !this->onEllipsoid())
   {
-    this->Result.scaleError = largestScaleError(this->Result.grid.bounds(), this->Result.georeference);
+    this->Result.scaleError = largestScaleError(this->Result.grid.bounds(), place);
   }
 }
 
 void Gridder::interpolate(const NaturalNeighbours& neighbours)
 {
   ElevationGrid& grid = this->Result.grid;
+  const Georeference& place = this->Result.georeference;
   const double maxGap = this->Result.report.maxGap;
   std::vector<bool> covered;
   if (this->Result.report.cells > 0)
   {
-    covered = cellCover(grid, this->cellCorners(), this->Input.cellOffsets, this->Input.cellNodes);
+    const Cells all = this->cells(this->onEllipsoid() ? this->Places.file : this->Points);
+    covered = cellCover(grid, all.corners, all.offsets, all.nodes);
   }
   this->Run.forRange(grid.rows,
     [&](std::size_t begin, std::size_t end)
@@ -331,8 +423,10 @@ void Gridder::interpolate(const NaturalNeighbours& neighbours)
           {
             continue;
           }
-          const NaturalNeighbours::Estimate estimate = walk.at(grid.node(column, row), this->Places.elevation);
-          if (estimate.distance <= maxGap)
+          const glm::dvec2 node = grid.node(column, row);
+          const glm::dvec2 point = this->onEllipsoid() ? place.fromFile(node) : node;
+          const NaturalNeighbours::Estimate estimate = walk.at(point, this->Places.elevation);
+          if (estimate.distance <= (this->onEllipsoid() ? maxGap * place.scale(point) : maxGap))
           {
             elevation = estimate.value;
           }
@@ -371,11 +465,6 @@ GriddedSoundings Gridder::grid()
 GriddedSoundings gridSoundings(const Soundings& soundings, const SeafloorOptions& options, const Execution& execution)
 {
   options.validate();
-  if (options.earth == EarthModel::Ellipsoid)
-  {
-    throw std::invalid_argument("soundings and meshes are brought to a grid on a plane: they cannot be had on the "
-                                "ellipsoid");
-  }
   return Gridder(soundings, options, execution).grid();
 }
 

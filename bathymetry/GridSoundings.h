@@ -16,7 +16,11 @@ namespace swellray
 /** Soundings brought to a grid. */
 struct GriddedSoundings
 {
-  ElevationGrid grid; ///< m, positive up; holes are NaN. Georeference's points are this grid's positions.
+  /**
+   * m, positive up; holes are NaN. Georeference's points are this grid's positions; on the ellipsoid it is in degrees of
+   * longitude and latitude.
+   */
+  ElevationGrid grid;
   Georeference georeference;
   double scaleError = 0.0;        ///< largest |map length / true length - 1| on the grid
   VerticalMeaning meaning;        ///< how the values were understood
@@ -43,6 +47,10 @@ struct GriddedSoundings
  * lie in it, soundings around it take part; `positive`, `crs`, `nodata`, `dropOutliers`, `crossValidate`. A node outside
  * the convex hull of the soundings, or outside the cells where there are any, is a hole. The rest of the options is the
  * caller's.
+ *
+ * On the ellipsoid (options.earth) soundings must be in longitude and latitude, within 85 degrees of latitude: they are
+ * interpolated on Mercator's map, which is true in angle, at nodes that lie evenly in degrees, `resample` apart in the
+ * middle of the scene.
  *
  * The result is the same for any number of threads. A million soundings take some seconds and 0.5 GB.
  *

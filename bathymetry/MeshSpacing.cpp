@@ -10,6 +10,8 @@ namespace swellray
 
 double fineSpacing(const Soundings& mesh, bool degrees)
 {
+  const std::vector<double>& x = mesh.cornerX.empty() ? mesh.x : mesh.cornerX;
+  const std::vector<double>& y = mesh.cornerY.empty() ? mesh.y : mesh.cornerY;
   std::vector<double> sides;
   for (std::size_t cell = 0; cell + 1 < mesh.cellOffsets.size(); ++cell)
   {
@@ -19,8 +21,8 @@ double fineSpacing(const Soundings& mesh, bool degrees)
     {
       const std::uint32_t a = mesh.cellNodes[i];
       const std::uint32_t b = mesh.cellNodes[i + 1 < end ? i + 1 : begin];
-      const double shrink = degrees ? std::cos(radians(mesh.y[a])) : 1.0;
-      const double length = std::hypot((mesh.x[b] - mesh.x[a]) * shrink, mesh.y[b] - mesh.y[a]);
+      const double shrink = degrees ? std::cos(radians(y[a])) : 1.0;
+      const double length = std::hypot((x[b] - x[a]) * shrink, y[b] - y[a]);
       if (length > 0.0)
       {
         sides.push_back(length);

@@ -41,6 +41,7 @@ public:
     : Values(std::move(grid.values))
   {
     this->Header.driver = grid.format;
+    this->Header.variable = grid.variable;
     this->Header.columns = grid.columns;
     this->Header.rows = grid.rows;
     this->Header.first = grid.first;
@@ -125,6 +126,7 @@ Soundings soundingsOf(ModelGrid&& grid)
 {
   Soundings soundings;
   soundings.driver = grid.format;
+  soundings.variable = grid.variable;
   soundings.vertical = grid.vertical;
   soundings.crs = grid.crs;
   soundings.crsSource = grid.crsSource;

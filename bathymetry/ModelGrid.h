@@ -19,7 +19,8 @@ namespace swellray
  */
 struct ModelGrid
 {
-  std::string format; ///< of the files, e.g. "SWAN"
+  std::string format;   ///< of the files, e.g. "SWAN"
+  std::string variable; ///< of the values, may be empty
   std::size_t columns = 0;
   std::size_t rows = 0;
   std::vector<double> values; ///< columns x rows, first row first, as stored; NaN: none

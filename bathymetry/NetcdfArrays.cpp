@@ -1,11 +1,13 @@
 #include "bathymetry/NetcdfArrays.h"
 
-#include "bathymetry/RasterSource.h"
+#include "bathymetry/FileGrid.h"
+#include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
 
 #include <gdal_priv.h>
 
 #include <limits>
+#include <stdexcept>
 
 namespace swellray
 {
@@ -62,6 +64,11 @@ std::vector<double> numbers(const GDALMDArray& array, const char* name)
   return found->ReadAsDoubleArray();
 }
 
+std::string unitOf(const GDALMDArray& array)
+{
+  return array.GetUnit().empty() ? attribute(array, "units") : array.GetUnit();
+}
+
 bool isNumeric(const GDALMDArray& array)
 {
   return array.GetDataType().GetClass() == GEDTC_NUMERIC &&
@@ -98,6 +105,42 @@ char axisLetter(const GDALMDArray& coordinate)
     return 'y';
   }
   return 0;
+}
+
+std::vector<double> readStored(const GDALMDArray& array)
+{
+  std::size_t size = 1;
+  std::vector<GUInt64> start;
+  std::vector<std::size_t> count;
+  for (const auto& dimension : array.GetDimensions())
+  {
+    // A size that is only claimed takes no memory.
+    const GUInt64 length = dimension->GetSize();
+    if (length == 0 || length > MostNodes / size)
+    {
+      throw std::runtime_error("variable '" + array.GetName() + "' has no values, or more than " +
+        std::to_string(MostNodes / 1000000) + " million");
+    }
+    start.push_back(0);
+    count.push_back(static_cast<std::size_t>(length));
+    size *= static_cast<std::size_t>(length);
+  }
+  std::vector<double> values(size);
+  if (!array.Read(
+        start.data(), count.data(), nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64), values.data()) ||
+    QuietGdal::failed())
+  {
+    throw std::runtime_error(
+      "variable '" + array.GetName() + "' cannot be read: " + QuietGdal::lastError("no reason given"));
+  }
+  return values;
+}
+
+std::vector<double> readAll(const GDALMDArray& array)
+{
+  std::vector<double> values = readStored(array);
+  maskAndScale(array, std::numeric_limits<double>::quiet_NaN(), values);
+  return values;
 }
 
 void maskAndScale(const GDALMDArray& array, double nodata, std::vector<double>& values)

@@ -26,6 +26,9 @@ std::string attribute(const GDALMDArray& array, const char* name);
 /** An attribute as numbers, none where it is no number. */
 std::vector<double> numbers(const GDALMDArray& array, const char* name);
 
+/** The unit of a variable, empty where it has none. */
+std::string unitOf(const GDALMDArray& array);
+
 /** True for real numbers. */
 bool isNumeric(const GDALMDArray& array);
 
@@ -34,6 +37,15 @@ bool isDegrees(const std::string& units);
 
 /** 'x' or 'y' for a coordinate variable, by CF attributes (CF 1.8, sections 4.1, 4.2 and 4.4), then by the usual names; 0. */
 char axisLetter(const GDALMDArray& coordinate);
+
+/**
+ * All values of a variable, in the order of its dimensions: scaled, and NaN where missing (maskAndScale()).
+ * @throws std::runtime_error naming it where it cannot be read, has no values or more than MostNodes
+ */
+std::vector<double> readAll(const GDALMDArray& array);
+
+/** The same as they are stored. */
+std::vector<double> readStored(const GDALMDArray& array);
 
 /**
  * Values as stored become values: scale and offset applied, those marked as missing or out of the valid range NaN.

@@ -9,8 +9,6 @@
 #include <gdal_priv.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -19,8 +17,6 @@ namespace swellray
 
 namespace
 {
-
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 using Arrays = std::vector<const NetcdfArray*>;
 
@@ -37,11 +33,6 @@ bool isLong(const GDALMDArray& array)
 {
   const auto& dimensions = array.GetDimensions();
   return std::count_if(dimensions.begin(), dimensions.end(), [](const auto& d) { return d->GetSize() > 1; }) > 1;
-}
-
-std::string unitOf(const GDALMDArray& array)
-{
-  return array.GetUnit().empty() ? attribute(array, "units") : array.GetUnit();
 }
 
 Survey surveyAlong(const Arrays& arrays)
@@ -119,29 +110,6 @@ const NetcdfArray& choose(const Survey& survey, const std::string& variable)
     "which of its variables holds the elevations or depths? Choose with --variable: " + listOf(survey.others));
 }
 
-std::vector<double> valuesOf(const NetcdfArray& array)
-{
-  const std::size_t dimensions = array.array->GetDimensionCount();
-  std::vector<GUInt64> start(dimensions, 0);
-  std::vector<std::size_t> count;
-  std::size_t total = 1;
-  for (const auto& dimension : array.array->GetDimensions())
-  {
-    count.push_back(dimension->GetSize());
-    total *= dimension->GetSize();
-  }
-  std::vector<double> values(total);
-  if (!array.array->Read(
-        start.data(), count.data(), nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64), values.data()) ||
-    QuietGdal::failed())
-  {
-    throw std::runtime_error(
-      "variable '" + array.name + "' cannot be read: " + QuietGdal::lastError("no reason given"));
-  }
-  maskAndScale(*array.array, NotANumber, values);
-  return values;
-}
-
 // Coordinates in another unit than metres become metres where no CRS has a unit of its own.
 void convert(std::vector<double>& values, const NetcdfArray& array, Soundings& soundings)
 {
@@ -206,9 +174,9 @@ std::optional<Soundings> read(const std::vector<NetcdfArray>& all, GDALGroup& ro
       soundings.crs = "EPSG:4326";
       soundings.crsSource = "coordinates in degrees";
     }
-    soundings.x = valuesOf(*survey.x);
-    soundings.y = valuesOf(*survey.y);
-    soundings.z = valuesOf(values);
+    soundings.x = readAll(*survey.x->array);
+    soundings.y = readAll(*survey.y->array);
+    soundings.z = readAll(*values.array);
     convert(soundings.x, *survey.x, soundings);
     convert(soundings.y, *survey.y, soundings);
     soundings.vertical.positive = attribute(*values.array, "positive");

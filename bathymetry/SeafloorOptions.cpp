@@ -26,10 +26,10 @@ void SeafloorOptions::validate() const
   {
     throw std::invalid_argument("water-level must be a number of metres, not " + text(this->waterLevel));
   }
-  if (this->earth == EarthModel::Ellipsoid && (this->resample || this->smooth > 0.0))
+  if (this->earth == EarthModel::Ellipsoid && this->smooth > 0.0)
   {
-    throw std::invalid_argument("on the ellipsoid the grid is taken as it is, in longitude and latitude: leave out " +
-      std::string(this->resample ? "resample" : "smooth"));
+    throw std::invalid_argument(
+      "on the ellipsoid the grid is taken as it is, in longitude and latitude: leave out smooth");
   }
   if (this->crop)
   {

@@ -6,6 +6,7 @@
 #include "bathymetry/FillGaps.h"
 #include "bathymetry/GridSoundings.h"
 #include "bathymetry/ModelFiles.h"
+#include "bathymetry/NetcdfCurvilinear.h"
 #include "bathymetry/RasterElevations.h"
 #include "bathymetry/RasterSource.h"
 #include "bathymetry/SmoothGrid.h"
@@ -122,6 +123,24 @@ Bathymetry readScattered(
   result.grid = std::move(gridded.grid);
   result.georeference = gridded.georeference;
   requireWater(result.grid, options, gridded.meaning);
+  if (const auto& map = result.georeference.mercator())
+  {
+    // From here on it is a grid of longitudes and latitudes like any other.
+    FileGrid file;
+    file.first = result.grid.origin;
+    const double middle = 0.5 * (result.grid.bounds().low.x + result.grid.bounds().high.x);
+    file.first.x += 360.0 * std::round((result.georeference.originLongitude() - middle) / 360.0);
+    file.columnStep.x = result.grid.spacing.x;
+    file.rowStep.y = result.grid.spacing.y;
+    file.values = std::move(result.grid);
+    file.values.origin = glm::dvec2(0.0);
+    file.values.spacing = glm::dvec2(1.0);
+    MetricGrid metric = toMercator(file, result.georeference, execution);
+    result.grid = std::move(metric.grid);
+    result.geographic = std::move(metric.geographic);
+    said.resampled = true;
+    said.standardLatitude = map->standardLatitude();
+  }
   said.path = path;
   said.files = soundings.files;
   said.driver = soundings.driver;
@@ -142,6 +161,11 @@ Bathymetry readRaster(
   Bathymetry result;
   SeafloorReport& said = result.report;
   const RasterHeader& header = source.header();
+  if (options.earth == EarthModel::Ellipsoid && options.resample)
+  {
+    throw std::runtime_error(
+      "on the ellipsoid the grid is taken as it is, in longitude and latitude: leave out resample");
+  }
   const VerticalMeaning meaning = understandVertical(header.vertical, options.positive);
   said.path = path;
   said.files = header.files;
@@ -214,6 +238,10 @@ Bathymetry read(const std::string& path, const SeafloorOptions& options, const E
   if (const std::optional<Soundings> mesh = readUgridMesh(path, options.variable))
   {
     return readScattered(path, *mesh, options, execution);
+  }
+  if (std::optional<ModelGrid> curvilinear = readNetcdfCurvilinear(path, options.variable))
+  {
+    return readGrid(path, std::move(*curvilinear), options, execution);
   }
   if (const std::optional<Soundings> soundings = readSoundings(path, options.variable))
   {

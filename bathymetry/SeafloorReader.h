@@ -24,7 +24,8 @@ struct Bathymetry
 
 /**
  * Read a seafloor as elevations in metres on a regular grid in metres: a raster that GDAL opens, the grid of a model
- * (readModelGrid()), a UGRID mesh (readUgridMesh()) or soundings (readSoundings()). Meshes, curvilinear grids and
+ * (readModelGrid()), a curvilinear one in NetCDF (readNetcdfCurvilinear()), a UGRID mesh (readUgridMesh()) or soundings
+ * (readSoundings()). Meshes, curvilinear grids and
  * soundings are gridded by gridSoundings(); for the others holds what follows.
  *
  * Nodes are the centres of the file's cells. In this order: the part asked for is read, values become elevations,

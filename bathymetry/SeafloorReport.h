@@ -18,7 +18,7 @@ struct SeafloorReport
 {
   std::string path;
   std::vector<std::string> files; ///< that were read because `path` names them, or that go with it; may hold it too
-  std::string driver; ///< name of the format, GDAL's short one where it reads it
+  std::string driver;             ///< name of the format, GDAL's short one where it reads it
   std::string variable;
   std::size_t fileColumns = 0; ///< nodes of the whole file; 0 where it has no rows and columns
   std::size_t fileRows = 0;

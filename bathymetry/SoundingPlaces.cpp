@@ -46,10 +46,16 @@ void check(const Soundings& soundings)
   {
     throw std::invalid_argument("the offsets of the cells do not fit their nodes");
   }
-  if (std::any_of(
-        soundings.cellNodes.begin(), soundings.cellNodes.end(), [n](std::uint32_t node) { return node >= n; }))
+  const std::size_t corners = soundings.cornerX.empty() ? n : soundings.cornerX.size();
+  if (soundings.cornerX.size() != soundings.cornerY.size() || (!soundings.cornerX.empty() && offsets.size() != n + 1))
   {
-    throw std::invalid_argument("a cell names a node that is none of the " + std::to_string(n));
+    throw std::invalid_argument(
+      "the corners of the cells must have x and y, and there must be a cell for each sounding");
+  }
+  if (std::any_of(soundings.cellNodes.begin(), soundings.cellNodes.end(),
+        [corners](std::uint32_t node) { return node >= corners; }))
+  {
+    throw std::invalid_argument("a cell names a node that is none of the " + std::to_string(corners));
   }
 }
 
@@ -162,7 +168,7 @@ SoundingPlaces findPlaces(const Soundings& soundings, const SeafloorOptions& opt
   places.notes.insert(places.notes.end(), places.meaning.notes.begin(), places.meaning.notes.end());
   NoDataMark missing;
   missing.add(options.nodata.value_or(std::numeric_limits<double>::quiet_NaN()), false);
-  const bool cropped = options.crop && isLongitudes(options.crs, soundings.crs);
+  const bool cropped = options.crop && options.earth == EarthModel::Plane && isLongitudes(options.crs, soundings.crs);
 
   places.placeOf.assign(soundings.size(), SoundingPlaces::NoPlace);
   std::vector<double> x;

@@ -40,6 +40,13 @@ struct Soundings
   std::vector<std::size_t> cellOffsets;
   std::vector<std::uint32_t> cellNodes;
 
+  /**
+   * Corners of the cells where these are no soundings: k file coordinates, and cellNodes counts these; as many cells as
+   * soundings, each the one around its sounding. A cell whose sounding has no data covers nothing. Empty: as above.
+   */
+  std::vector<double> cornerX;
+  std::vector<double> cornerY;
+
   std::vector<std::string> notes; ///< what a user should know, one line each
   std::vector<std::string> files; ///< that they were read from where there are several
 

@@ -1,10 +1,9 @@
 #include "bathymetry/UgridMesh.h"
 
 #include "bathymetry/CrsChoice.h"
-#include "bathymetry/FileGrid.h"
 #include "bathymetry/MeshSpacing.h"
+#include "bathymetry/NetcdfArrays.h"
 #include "bathymetry/QuietGdal.h"
-#include "bathymetry/RasterSource.h"
 #include "bathymetry/Text.h"
 #include "bathymetry/Wkt.h"
 
@@ -12,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <sstream>
 #include <stdexcept>
@@ -24,60 +22,6 @@ namespace
 {
 
 using Array = std::shared_ptr<GDALMDArray>;
-
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
-
-std::string attribute(const GDALMDArray& array, const char* name)
-{
-  const auto found = array.GetAttribute(name);
-  const char* value = found ? found->ReadAsString() : nullptr;
-  return value ? value : "";
-}
-
-// All values of an array as they are stored.
-std::vector<double> stored(const GDALMDArray& array)
-{
-  std::size_t size = 1;
-  std::vector<GUInt64> start;
-  std::vector<std::size_t> count;
-  for (const auto& dimension : array.GetDimensions())
-  {
-    // A size that is only claimed takes no memory.
-    const GUInt64 length = dimension->GetSize();
-    if (length == 0 || length > MostNodes / size)
-    {
-      throw std::runtime_error("variable '" + array.GetName() + "' has no values, or more than " +
-        std::to_string(MostNodes / 1000000) + " million");
-    }
-    start.push_back(0);
-    count.push_back(static_cast<std::size_t>(length));
-    size *= static_cast<std::size_t>(length);
-  }
-  std::vector<double> values(size);
-  if (!array.Read(
-        start.data(), count.data(), nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64), values.data()) ||
-    QuietGdal::failed())
-  {
-    throw std::runtime_error(
-      "variable '" + array.GetName() + "' cannot be read: " + QuietGdal::lastError("no reason given"));
-  }
-  return values;
-}
-
-// Values in the variable's unit, those marked as missing as NaN.
-std::vector<double> valuesOf(const GDALMDArray& array)
-{
-  std::vector<double> values = stored(array);
-  NoDataMark missing;
-  bool has = false;
-  const double mark = array.GetNoDataValueAsDouble(&has);
-  missing.add(has ? mark : NotANumber, array.GetDataType().GetNumericDataType() == GDT_Float32);
-  for (double& value : values)
-  {
-    value = missing(value) ? NotANumber : value * array.GetScale() + array.GetOffset();
-  }
-  return values;
-}
 
 bool isOn(const GDALMDArray& array, const GDALDimension& dimension)
 {
@@ -96,6 +40,54 @@ public:
 
   Soundings read(const std::string& variable)
   {
+    this->findNodes();
+    const Array faces = this->open(attribute(this->Topology, "face_node_connectivity"));
+    if (faces->GetDimensionCount() != 2)
+    {
+      throw std::runtime_error("the faces of its mesh are no table of faces and corners");
+    }
+    this->Turned = attribute(this->Topology, "face_dimension") == faces->GetDimensions()[1]->GetName();
+    const auto nodeDimension = this->X->GetDimensions()[0];
+    const auto faceDimension = faces->GetDimensions()[this->Turned ? 1 : 0];
+    const Array values = this->choose(variable, *nodeDimension, *faceDimension);
+    const bool onFaces = !isOn(*values, *nodeDimension);
+    Soundings soundings;
+    soundings.driver = "UGRID mesh";
+    soundings.variable = values->GetName();
+    soundings.x = readAll(*this->X);
+    soundings.y = readAll(*this->Y);
+    for (std::size_t i = 0; i < soundings.x.size(); ++i)
+    {
+      if (!std::isfinite(soundings.x[i] + soundings.y[i]))
+      {
+        throw std::runtime_error("node " + std::to_string(i + 1) + " of its mesh has no place");
+      }
+    }
+    std::vector<double> z = readAll(*values);
+    const std::vector<std::size_t> kept = this->readCells(*faces, soundings);
+    if (onFaces)
+    {
+      this->moveToFaces(soundings, std::move(z), kept);
+    }
+    else
+    {
+      soundings.z = std::move(z);
+    }
+    soundings.vertical.positive = attribute(*values, "positive");
+    soundings.vertical.standardName = attribute(*values, "standard_name");
+    soundings.vertical.units = values->GetUnit();
+    this->readCrs(*values, soundings);
+    const double spacing = fineSpacing(soundings, !soundings.crs.empty() && isLongitudes("", soundings.crs));
+    if (spacing > 0.0)
+    {
+      soundings.spacing = spacing;
+    }
+    return soundings;
+  }
+
+private:
+  void findNodes()
+  {
     std::istringstream names(attribute(this->Topology, "node_coordinates"));
     std::string first;
     std::string second;
@@ -110,34 +102,8 @@ public:
     {
       throw std::runtime_error("its mesh has no two coordinates on its nodes");
     }
-    const Array values = this->choose(variable);
-    Soundings soundings;
-    soundings.driver = "UGRID mesh";
-    soundings.variable = values->GetName();
-    soundings.x = valuesOf(*this->X);
-    soundings.y = valuesOf(*this->Y);
-    soundings.z = valuesOf(*values);
-    for (std::size_t i = 0; i < soundings.size(); ++i)
-    {
-      if (!std::isfinite(soundings.x[i] + soundings.y[i]))
-      {
-        throw std::runtime_error("node " + std::to_string(i + 1) + " of its mesh has no place");
-      }
-    }
-    soundings.vertical.positive = attribute(*values, "positive");
-    soundings.vertical.standardName = attribute(*values, "standard_name");
-    soundings.vertical.units = values->GetUnit();
-    this->readCells(soundings);
-    this->readCrs(*values, soundings);
-    const double spacing = fineSpacing(soundings, !soundings.crs.empty() && isLongitudes("", soundings.crs));
-    if (spacing > 0.0)
-    {
-      soundings.spacing = spacing;
-    }
-    return soundings;
   }
 
-private:
   static bool isNorthward(const GDALMDArray& array)
   {
     const std::string name = plain(attribute(array, "standard_name"));
@@ -155,15 +121,30 @@ private:
     return found;
   }
 
-  Array choose(const std::string& variable) const
+  // Variables that say where nodes and faces lie, which are none that could be meant.
+  bool isCoordinate(const std::string& name) const
+  {
+    std::istringstream names(attribute(this->Topology, "face_coordinates"));
+    std::string other;
+    while (names >> other)
+    {
+      if (other == name)
+      {
+        return true;
+      }
+    }
+    return name == this->X->GetName() || name == this->Y->GetName();
+  }
+
+  Array choose(
+    const std::string& variable, const GDALDimension& nodeDimension, const GDALDimension& faceDimension) const
   {
     std::vector<Array> candidates;
     std::string names;
     for (const std::string& name : this->Group->GetMDArrayNames())
     {
       const Array array = this->Group->OpenMDArray(name);
-      if (array && isOn(*array, *this->X->GetDimensions()[0]) && name != this->X->GetName() &&
-        name != this->Y->GetName())
+      if (array && (isOn(*array, nodeDimension) || isOn(*array, faceDimension)) && !this->isCoordinate(name))
       {
         candidates.push_back(array);
         names += (names.empty() ? "" : ", ") + name;
@@ -176,37 +157,38 @@ private:
       return single ? *found : Array();
     };
     const auto isSeafloor = [](const Array& a) { return isElevationName(attribute(*a, "standard_name")); };
-    Array chosen = variable.empty() ? only([](const Array&) { return true; })
-                                    : only([&](const Array& a) { return a->GetName() == variable; });
-    if (!chosen)
+    Array chosen;
+    if (variable.empty())
     {
-      chosen = variable.empty() ? only(isSeafloor)
-                                : only([&](const Array& a) { return attribute(*a, "standard_name") == variable; });
+      chosen = only(isSeafloor);
+      chosen = chosen ? chosen : only([&](const Array& a) { return isOn(*a, nodeDimension); });
+      chosen = chosen || candidates.size() > 1 ? chosen : only([](const Array&) { return true; });
+    }
+    else
+    {
+      chosen = only([&](const Array& a) { return a->GetName() == variable; });
+      chosen = chosen ? chosen : only([&](const Array& a) { return attribute(*a, "standard_name") == variable; });
     }
     if (!chosen)
     {
       throw std::runtime_error(
-        (variable.empty() ? "which variable on the nodes of its mesh is meant? Choose with --variable: "
-                          : "no variable '" + variable + "' lies on the nodes of its mesh; there are: ") +
+        (variable.empty() ? "which variable on the nodes or faces of its mesh is meant? Choose with --variable: "
+                          : "no variable '" + variable + "' lies on the nodes or faces of its mesh; there are: ") +
         (names.empty() ? "none" : names));
     }
     return chosen;
   }
 
-  void readCells(Soundings& soundings) const
+  // The cells; returns which of the faces they are.
+  std::vector<std::size_t> readCells(const GDALMDArray& faces, Soundings& soundings) const
   {
-    const Array faces = this->open(attribute(this->Topology, "face_node_connectivity"));
-    if (faces->GetDimensionCount() != 2)
-    {
-      throw std::runtime_error("the faces of its mesh are no table of faces and corners");
-    }
-    const bool turned = attribute(this->Topology, "face_dimension") == faces->GetDimensions()[1]->GetName();
-    const std::vector<double> table = stored(*faces);
-    const std::size_t corners = faces->GetDimensions()[turned ? 0 : 1]->GetSize();
+    const std::vector<double> table = readStored(faces);
+    const std::size_t corners = faces.GetDimensions()[this->Turned ? 0 : 1]->GetSize();
     const std::size_t count = table.size() / corners;
-    const auto start = faces->GetAttribute("start_index");
+    std::vector<std::size_t> kept;
+    const auto start = faces.GetAttribute("start_index");
     const double first = start ? start->ReadAsDouble() : 0.0;
-    const auto nodes = static_cast<double>(soundings.size());
+    const auto nodes = static_cast<double>(soundings.x.size());
     soundings.cellOffsets.push_back(0);
     for (std::size_t face = 0; face < count; ++face)
     {
@@ -214,7 +196,7 @@ private:
       for (std::size_t corner = 0; corner < corners; ++corner)
       {
         // Faces with fewer corners are filled up with a mark that is no node.
-        const double node = table[turned ? corner * count + face : face * corners + corner] - first;
+        const double node = table[this->Turned ? corner * count + face : face * corners + corner] - first;
         if (node >= 0.0 && node < nodes)
         {
           soundings.cellNodes.push_back(static_cast<std::uint32_t>(node));
@@ -226,11 +208,68 @@ private:
         continue;
       }
       soundings.cellOffsets.push_back(soundings.cellNodes.size());
+      kept.push_back(face);
     }
-    if (soundings.cellOffsets.size() == 1)
+    if (kept.empty())
     {
       throw std::runtime_error("its mesh has no face with three nodes or more");
     }
+    return kept;
+  }
+
+  // Values of the faces lie where face_coordinates says, otherwise at their centroids; nodes are then only corners.
+  void moveToFaces(Soundings& soundings, std::vector<double>&& z, const std::vector<std::size_t>& kept) const
+  {
+    soundings.cornerX = std::move(soundings.x);
+    soundings.cornerY = std::move(soundings.y);
+    soundings.x.clear();
+    soundings.y.clear();
+    std::istringstream names(attribute(this->Topology, "face_coordinates"));
+    std::string first;
+    std::string second;
+    std::vector<double> x;
+    std::vector<double> y;
+    if (names >> first >> second)
+    {
+      const Array one = this->open(first);
+      const Array other = this->open(second);
+      x = readAll(isNorthward(*one) ? *other : *one);
+      y = readAll(isNorthward(*one) ? *one : *other);
+      if (x.size() != z.size() || y.size() != z.size())
+      {
+        throw std::runtime_error("its face_coordinates '" + first + " " + second + "' are not as many as its faces");
+      }
+    }
+    for (std::size_t cell = 0; cell < kept.size(); ++cell)
+    {
+      const std::size_t face = kept[cell];
+      const glm::dvec2 centre = x.empty() ? centroid(soundings, cell) : glm::dvec2(x[face], y[face]);
+      soundings.add(centre.x, centre.y, z[face]);
+    }
+    soundings.notes.emplace_back("its values are those of faces: they lie in the middle of each");
+  }
+
+  // Centroid of the area of a cell; the mean of its corners where it has none.
+  static glm::dvec2 centroid(const Soundings& mesh, std::size_t cell)
+  {
+    const std::size_t begin = mesh.cellOffsets[cell];
+    const std::size_t end = mesh.cellOffsets[cell + 1];
+    const glm::dvec2 origin(mesh.cornerX[mesh.cellNodes[begin]], mesh.cornerY[mesh.cellNodes[begin]]);
+    const auto corner = [&](std::size_t i)
+    { return glm::dvec2(mesh.cornerX[mesh.cellNodes[i]], mesh.cornerY[mesh.cellNodes[i]]) - origin; };
+    glm::dvec2 mean(0.0);
+    glm::dvec2 moment(0.0);
+    double twice = 0.0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const glm::dvec2 a = corner(i);
+      const glm::dvec2 b = corner(i + 1 < end ? i + 1 : begin);
+      const double cross = a.x * b.y - b.x * a.y;
+      mean += a / static_cast<double>(end - begin);
+      moment += cross * (a + b) / 3.0;
+      twice += cross;
+    }
+    return origin + (twice != 0.0 ? moment / twice : mean);
   }
 
   void readCrs(const GDALMDArray& values, Soundings& soundings) const
@@ -251,6 +290,7 @@ private:
   const GDALMDArray& Topology;
   Array X;
   Array Y;
+  bool Turned = false; // corners vary slowest
 };
 
 }

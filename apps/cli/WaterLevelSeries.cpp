@@ -2,6 +2,7 @@
 
 #include "Console.h"
 #include "Failure.h"
+#include "FieldValues.h"
 #include "OutputFile.h"
 #include "Pipeline.h"
 #include "RayValues.h"

@@ -29,7 +29,7 @@ void run(const Call& call)
 
 int report(const char* message, int code)
 {
-  std::fprintf(stderr, "swellray: %s\n", oneLine(message).c_str());
+  std::fprintf(stderr, "swellray: %s\n", swellray::oneLine(message).c_str());
   return code;
 }
 

@@ -11,8 +11,9 @@ namespace swellray::validation
 std::vector<Case> allCases()
 {
   std::vector<Case> cases;
-  for (const auto& family : { dispersionCases, straightCases, designCases, shallowCases, circularCases, ellipticCases,
-         breakingCases, currentCases, ellipsoidCases, gridCases, schemeCases, waveFieldCases, mildSlopeCases })
+  for (const auto& family :
+    { dispersionCases, straightCases, designCases, shallowCases, circularCases, ellipticCases, breakingCases,
+      currentCases, reflectionCases, ellipsoidCases, gridCases, schemeCases, waveFieldCases, mildSlopeCases })
   {
     for (Case& one : family())
     {

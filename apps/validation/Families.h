@@ -14,6 +14,7 @@ std::vector<Case> circularCases();
 std::vector<Case> ellipticCases();
 std::vector<Case> breakingCases();
 std::vector<Case> currentCases();
+std::vector<Case> reflectionCases();
 std::vector<Case> ellipsoidCases();
 std::vector<Case> gridCases();
 std::vector<Case> schemeCases();

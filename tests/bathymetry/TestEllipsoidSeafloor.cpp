@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iomanip>
 #include <memory>
 
 using namespace swellray;
@@ -251,6 +253,64 @@ TEST(EllipsoidReader, TakesABasinThatIsTooWideForAPlane)
   const glm::dvec2 corner = read.georeference.toFile(read.grid.bounds().high);
   EXPECT_NEAR(corner.x, 289.0 - 360.0, 1e-9);
   EXPECT_NEAR(corner.y, 64.0, 1e-9);
+}
+
+TEST(EllipsoidReader, GridsSoundingsInLongitudeAndLatitude)
+{
+  // A plane over longitude, which Mercator's map keeps straight: natural neighbours meet it everywhere.
+  const auto bed = [](double longitude) { return -4000.0 + 15.0 * std::remainder(longitude - 180.0, 360.0); };
+  const test::Folder folder;
+  const std::string path = folder.file("survey.csv");
+  {
+    std::ofstream file(path);
+    file << "lon,lat,elevation\n" << std::setprecision(12);
+    for (int i = 0; i < 4000; ++i)
+    {
+      // Scattered evenly over 80 x 100 degrees, across the antimeridian (Kronecker's sequence).
+      const double longitude = 140.0 + 80.0 * std::fmod(0.7548776662466927 * i, 1.0);
+      const double latitude = -50.0 + 100.0 * std::fmod(0.5698402909980532 * i, 1.0);
+      file << std::remainder(longitude, 360.0) << ',' << latitude << ',' << bed(longitude) << '\n';
+    }
+  }
+  SeafloorOptions options;
+  EXPECT_THAT(messageOf([&] { readSeafloor(path, options); }), HasSubstr("or --earth ellipsoid"));
+  options.earth = EarthModel::Ellipsoid;
+  const Bathymetry read = readSeafloor(path, options);
+  ASSERT_TRUE(read.geographic);
+  ASSERT_TRUE(read.report.soundings);
+  EXPECT_EQ(read.report.soundings->count, 4000u);
+  const ElevationGrid& grid = *read.geographic;
+  EXPECT_NEAR(grid.bounds().size().x, 80.0, 3.0);
+  EXPECT_NEAR(grid.bounds().size().y, 100.0, 3.0);
+  // As far apart as the soundings are, the same number of metres along both axes in the middle of the scene.
+  EXPECT_NEAR(grid.spacing.x / grid.spacing.y, 1.0, 0.01) << "on the equator";
+  std::size_t count = 0;
+  for (std::size_t row = 0; row < grid.rows; ++row)
+  {
+    for (std::size_t column = 0; column < grid.columns; ++column)
+    {
+      if (!std::isnan(grid.at(column, row)))
+      {
+        constexpr double rounding = 1e-6; // m: printed digits of longitude, 1e-9 degrees of 15 m each, and some more
+        EXPECT_NEAR(grid.at(column, row), bed(grid.node(column, row).x), rounding);
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, grid.elevation.size() * 8 / 10);
+  EXPECT_THAT(read.report.lines(), testing::Contains(testing::Pair("Earth", HasSubstr("ellipsoid"))));
+
+  options.resample = 500000.0;
+  options.crop = { 160.0, -20.0, 200.0, 20.0 };
+  const Bathymetry part = readSeafloor(path, options);
+  EXPECT_NEAR(part.geographic->spacing.x, 500.0 / 111.32, 0.01);
+  EXPECT_NEAR(part.geographic->spacing.y, 500.0 / 110.57, 0.01);
+  EXPECT_LT(part.geographic->bounds().size().x, 40.0);
+  options.crop = { 10.0, -20.0, 50.0, 20.0 };
+  EXPECT_THAT(messageOf([&] { readSeafloor(path, options); }), HasSubstr("crop lies outside of its soundings"));
+  options.crop.reset();
+  options.crs = "EPSG:32601";
+  EXPECT_THAT(messageOf([&] { readSeafloor(path, options); }), HasSubstr("ogr2ogr -t_srs EPSG:4326"));
 }
 
 TEST(Geodesics, AreThoseOfGeodSolve)

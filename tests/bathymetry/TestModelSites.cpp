@@ -1,9 +1,14 @@
 #include "SeafloorChecks.h"
+#include "TextFiles.h"
 
+#include <glm/vec3.hpp>
 #include <gmock/gmock.h>
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
 
 using namespace swellray;
 using namespace swellray::test;
@@ -83,6 +88,44 @@ TEST_F(ModelSitesTest, DuckByStwave)
   // Offshore in the north-east corner the first of the last row of depths: 17 m deep water, land in the south-west.
   EXPECT_LT(at(read, 898385.0 - 100.0, 297003.0 - 200.0), -10.0);
   EXPECT_GT(at(read, 908000.0, 262500.0), 0.0);
+}
+
+TEST_F(ModelSitesTest, DuckByStwaveLiesWhereTheSurveySays)
+{
+  // Soundings of the survey of 2017 beside it, state plane coordinates and elevation, m: every thousandth.
+  const glm::dvec3 soundings[] = { { 902489.0, 274193.5, -5.68 }, { 902271.5, 274212.8, -3.83 },
+    { 902103.6, 274244.1, -3.05 }, { 903106.0, 274707.8, -11.68 }, { 902094.1, 274533.8, -2.96 },
+    { 902535.8, 274790.8, -8.12 }, { 902498.4, 274886.4, -8.00 }, { 902832.6, 275097.2, -10.58 },
+    { 901774.6, 274904.6, -1.33 }, { 902168.8, 275142.9, -6.26 }, { 902062.8, 275153.6, -5.35 },
+    { 901788.1, 275152.0, -2.95 }, { 901680.1, 275225.3, -2.34 }, { 901789.6, 275457.3, -4.19 } };
+  const auto differences = [&](const std::string& path)
+  {
+    const Bathymetry read = readSeafloor(path);
+    double sum = 0.0;
+    double largest = 0.0;
+    for (const glm::dvec3& sounding : soundings)
+    {
+      const double difference = at(read, sounding.x, sounding.y) - sounding.z;
+      sum += difference / static_cast<double>(std::size(soundings));
+      largest = std::max(largest, std::abs(difference));
+    }
+    return std::pair(sum, largest);
+  };
+  // Its makers gave the grid the azimuth 198.2 and later wrote 200 into the file, which turns it about its offshore
+  // corner: at the pier, 23 km along the coast, the shore then lies 700 m too far out. The file is read as it says.
+  const std::string path = site("duck_frf_nc/Regional_17mGrid_50m.sim");
+  EXPECT_GT(differences(path).first, 5.0);
+  const Folder folder;
+  std::ifstream stream(path);
+  std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+  text.replace(text.find("azimuth = 200"), 13, "azimuth = 198.2");
+  writeText(folder.file("a.sim"), text);
+  std::filesystem::create_symlink(
+    site("duck_frf_nc/Regional_17mGrid_50m.dep"), folder.file("Regional_17mGrid_50m.dep"));
+  const auto [mean, largest] = differences(folder.file("a.sim"));
+  // Over soundings of another year on a grid of 50 m: bars move and are up to 2 m high.
+  EXPECT_LT(std::abs(mean), 0.5);
+  EXPECT_LT(largest, 2.0);
 }
 
 TEST_F(ModelSitesTest, DuckByTablesAndMatrices)

@@ -23,6 +23,8 @@ struct MeshFile
   std::map<std::string, std::string> topology{ { "cf_role", "mesh_topology" }, { "node_coordinates", "nx ny" },
     { "face_node_connectivity", "faces" } };
   std::vector<std::string> variables{ "z" };
+  std::vector<std::string> faceVariables;
+  bool faceCoordinates = false; ///< values of faces lie at their first corners
   std::string standardName = "altitude";
   double scale = 10.0;
 
@@ -58,6 +60,10 @@ struct MeshFile
     }
     return result;
   }
+
+  // Values of the faces, and where they lie.
+  void writeFaces(GDALGroup& root, const std::shared_ptr<GDALDimension>& cells,
+    const std::vector<std::array<double, 4>>& all, const Bed& bed) const;
 
   void write(const std::string& path, const Bed& bed) const
   {
@@ -114,11 +120,58 @@ struct MeshFile
     {
       values.push_back(this->turned ? all[i % all.size()][i / all.size()] : all[i / 4][i % 4]);
     }
+    writeFaces(*root, cells, all, bed);
     const GUInt64 start[] = { 0, 0 };
     const size_t count[] = { this->turned ? 4 : all.size(), this->turned ? all.size() : 4 };
     table->Write(start, count, nullptr, nullptr, real, values.data());
   }
 };
+
+// Middle of a square; of a triangle a third of its corners.
+glm::dvec2 middleOf(const MeshFile& mesh, const std::array<double, 4>& face)
+{
+  glm::dvec2 sum(0.0);
+  double count = 0.0;
+  for (const double node : face)
+  {
+    if (node != MeshFile::None)
+    {
+      sum += mesh.node(static_cast<int>(node - mesh.startIndex));
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+void MeshFile::writeFaces(GDALGroup& root, const std::shared_ptr<GDALDimension>& cells,
+  const std::vector<std::array<double, 4>>& all, const Bed& bed) const
+{
+  const auto place = [this](const std::array<double, 4>& face)
+  { return this->faceCoordinates ? node(static_cast<int>(face[0] - this->startIndex)) : middleOf(*this, face); };
+  const auto put = [&](const std::string& name, const std::function<double(const glm::dvec2&)>& value)
+  {
+    const auto real = GDALExtendedDataType::Create(GDT_Float64);
+    const auto array = root.CreateMDArray(name, { cells }, real);
+    std::vector<double> values;
+    for (const auto& face : all)
+    {
+      values.push_back(value(place(face)));
+    }
+    const GUInt64 start = 0;
+    const size_t count = values.size();
+    array->Write(&start, &count, nullptr, nullptr, real, values.data());
+    return array;
+  };
+  if (this->faceCoordinates)
+  {
+    put("fx", [](const glm::dvec2& p) { return p.x; })->SetUnit("m");
+    put("fy", [](const glm::dvec2& p) { return p.y; })->SetUnit("m");
+  }
+  for (const std::string& name : this->faceVariables)
+  {
+    put(name, bed)->SetUnit("m");
+  }
+}
 
 class UgridFileTest : public SeafloorFileTest
 {
@@ -188,6 +241,63 @@ TEST_F(UgridFileTest, DegreesMissingValuesAndSign)
   EXPECT_EQ(read.report.crsSource, "nodes in degrees");
   EXPECT_NEAR(read.grid.at(3, 3), -7.0, Exact);
   EXPECT_NEAR(read.grid.spacing.x, 11.0, 0.2); // 1e-4 degrees, to two digits
+}
+
+TEST_F(UgridFileTest, ValuesOfFacesLieInTheirMiddle)
+{
+  const Bed bed = [](const glm::dvec2& p) { return -20.0 + 0.1 * p.x - 0.2 * p.y; };
+  SeafloorOptions fine;
+  fine.resample = 2.0;
+  MeshFile mesh;
+  mesh.variables.clear();
+  mesh.faceVariables = { "bed" };
+  const std::optional<Soundings> read = readUgridMesh(write(mesh, bed), "");
+  ASSERT_TRUE(read);
+  ASSERT_EQ(read->size(), mesh.faces().size());
+  EXPECT_EQ(read->x[0], 5.0);
+  EXPECT_NEAR(read->x[1], 10.0 + 20.0 / 3.0, Exact);
+  EXPECT_NEAR(read->y[1], 10.0 / 3.0, Exact);
+  EXPECT_EQ(*read->spacing, 10.0);
+  const Bathymetry seafloor = readSeafloor(this->Files.file("mesh.nc"), fine);
+  EXPECT_LT(largestError(seafloor, bed), Exact) << "natural neighbours keep planes";
+  // Its grid spans the middles of the faces, and has no node in the square that is no face.
+  EXPECT_LT(seafloor.grid.bounds().size().x, 70.0 + Exact);
+  const glm::dvec2 origin(seafloor.georeference.originX(), seafloor.georeference.originY());
+  for (std::size_t row = 0; row < seafloor.grid.rows; ++row)
+  {
+    for (std::size_t column = 0; column < seafloor.grid.columns; ++column)
+    {
+      const glm::dvec2 p = seafloor.grid.node(column, row) + origin;
+      const bool cut = p.x > 40.0 + Exact && p.x < 50.0 - Exact && p.y > 20.0 + Exact && p.y < 30.0 - Exact;
+      const bool inner = p.x > 10.0 && p.x < 70.0 && p.y > 10.0 && p.y < 50.0;
+      if (cut || inner)
+      {
+        EXPECT_EQ(std::isnan(seafloor.grid.at(column, row)), cut) << p.x << ' ' << p.y;
+      }
+    }
+  }
+  // A mark of missing data takes its face away.
+  fine.nodata = bed({ 15.0, 15.0 });
+  const Bathymetry holed = readSeafloor(this->Files.file("mesh.nc"), fine);
+  EXPECT_GT(holed.report.noDataShare, seafloor.report.noDataShare);
+
+  // Where the file says the places of its values, they lie there.
+  mesh.faceCoordinates = true;
+  mesh.topology["face_coordinates"] = "fx fy";
+  const std::optional<Soundings> placed = readUgridMesh(write(mesh, bed), "");
+  ASSERT_TRUE(placed);
+  EXPECT_EQ(placed->x[0], 0.0);
+  EXPECT_EQ(placed->z[0], -20.0);
+  EXPECT_EQ(placed->variable, "bed");
+  mesh.topology["face_coordinates"] = "nx ny";
+  EXPECT_THAT(failureOf([&] { readUgridMesh(write(mesh, bed), ""); }), HasSubstr("not as many as its faces"));
+
+  // The values of the nodes are meant where there are both.
+  mesh.topology.erase("face_coordinates");
+  mesh.variables = { "z" };
+  mesh.standardName.clear();
+  EXPECT_EQ(readUgridMesh(write(mesh, bed), "")->variable, "z");
+  EXPECT_EQ(readUgridMesh(this->Files.file("mesh.nc"), "bed")->variable, "bed");
 }
 
 TEST_F(UgridFileTest, WhatCannotBeReadSaysWhy)

@@ -10,7 +10,7 @@ namespace
 VerticalMeaning meaningOf(const std::string& positive, const std::string& standardName, const std::string& units = "m",
   Positive asked = Positive::Auto)
 {
-  return understandVertical({ positive, standardName, units, "", "" }, asked);
+  return understandVertical({ positive, standardName, units, "", "", "" }, asked);
 }
 
 }
@@ -27,8 +27,8 @@ TEST(VerticalMeaning, Sign)
   EXPECT_EQ(meaningOf("", "sea_surface_temperature").signSource, "assumed");
   EXPECT_EQ(meaningOf("", "", "m", Positive::Down).factor, -1.0);
   EXPECT_EQ(meaningOf("down", "", "m", Positive::Up).factor, 1.0);
-  EXPECT_EQ(understandVertical({ "", "", "m", "down", "vertical CRS" }, Positive::Auto).factor, -1.0);
-  EXPECT_EQ(understandVertical({ "up", "", "m", "down", "vertical CRS" }, Positive::Auto).factor, 1.0);
+  EXPECT_EQ(understandVertical({ "", "", "m", "down", "vertical CRS", "" }, Positive::Auto).factor, -1.0);
+  EXPECT_EQ(understandVertical({ "up", "", "m", "down", "vertical CRS", "" }, Positive::Auto).factor, 1.0);
   EXPECT_EQ(meaningOf("sideways", "").notes.size(), 1u);
 }
 
@@ -56,7 +56,8 @@ TEST(VerticalMeaning, Units)
   EXPECT_DOUBLE_EQ(meaningOf("down", "", "fathoms").factor, -1.8288);
   EXPECT_EQ(meaningOf("", "", "").unitsSource, "assumed");
   EXPECT_EQ(meaningOf("", "", "m").unitsSource, "units 'm'");
-  EXPECT_EQ(understandVertical({ "", "", "m", "down", "the format", "SWAN's unit" }, Positive::Auto).unitsSource, "SWAN's unit");
+  EXPECT_EQ(understandVertical({ "", "", "m", "down", "the format", "SWAN's unit" }, Positive::Auto).unitsSource,
+    "SWAN's unit");
   EXPECT_EQ(meaningOf("", "", "kelvin").factor, 1.0);
   EXPECT_EQ(meaningOf("", "", "kelvin").notes.size(), 1u);
 }

@@ -193,8 +193,8 @@ TEST(SeafloorReader, readsAgainWhereAFileChangesThatItsFileNames)
   const TemporaryFolder folder;
   const std::string row = "5 4 3 2 1\n";
   const std::string bottom = folder.write("a.bot", row + row + row + row);
-  const std::string run = folder.write(
-    "a.swn", "INPGRID BOTTOM 0. 0. 0. 4 3 50. 50.\nREADINP BOTTOM 1. 'a.bot' 3 0 FREE\n");
+  const std::string run =
+    folder.write("a.swn", "INPGRID BOTTOM 0. 0. 0. 4 3 50. 50.\nREADINP BOTTOM 1. 'a.bot' 3 0 FREE\n");
   vtkNew<vtkSwellSeafloorReader> reader;
   reader->SetFileName(run.c_str());
   const auto elevations = [&]

@@ -17,7 +17,7 @@ namespace
  * A NetCDF file from words, a line each, so that what varies is its content and not its bytes, which are the library's
  * to read:
  *
- *   d NAME SIZE            a dimension of at most 40
+ *   d NAME SIZE            a dimension of at most 40, before all variables
  *   v NAME TYPE DIM...     a variable; its type is b, s, i, f or d
  *   a NAME WORDS           an attribute of the variable before, or of the file
  *   n NAME NUMBER...       the same, of numbers
@@ -31,6 +31,7 @@ public:
     GDALAllRegister();
     GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("netCDF");
     this->Dataset.reset(driver->CreateMultiDimensional(path.c_str(), nullptr, nullptr));
+    fuzz::require(this->Dataset != nullptr);
     this->Root = this->Dataset->GetRootGroup();
   }
 
@@ -85,7 +86,8 @@ private:
     std::istringstream line(text.substr(0, 4000));
     std::string key;
     line >> key;
-    if (key == "d")
+    // GDAL keeps a file open where a dimension is made after a variable of its name.
+    if (key == "d" && this->Variables == 0)
     {
       const std::string name = nameOf(line);
       int count = 0;
