@@ -293,7 +293,7 @@ TEST_F(CurvilinearFileTest, WhatCannotBeReadSaysWhy)
   EXPECT_THAT(errorOf(this->Files.file("a.nc")), HasSubstr("no variable on a regular grid"));
   CurvilinearFile nowhere = inMetres();
   nowhere.place = [](int, int) { return glm::dvec2(3.0, 4.0); };
-  EXPECT_THAT(errorOf(write(nowhere)), HasSubstr("no cell with four nodes"));
+  EXPECT_THAT(errorOf(write(nowhere)), HasSubstr("its cells have no size"));
   writeText(this->Files.file("text.nc"), "no NetCDF");
   EXPECT_FALSE(readNetcdfCurvilinear(this->Files.file("text.nc"), ""));
 }

@@ -30,6 +30,7 @@ struct Site
   Rectangle extent; ///< of the nodes, file coordinates
   double water;     ///< share of what has data
   double tolerance;
+  double flat = 0.0; ///< share at just 0 m, which a spline between the nodes puts to either side
 };
 
 void PrintTo(const Site& site, std::ostream* out)
@@ -55,12 +56,14 @@ const Site Sites[] = {
     Resampled },
   { "hilo_bay_hawaii/hilo_bay_1_3s_epsg4326.tif", 701, 692, { { -155.09972, 19.71 }, { -155.03491, 19.77398 } }, 0.6030,
     Resampled },
-  { "hilo_bay_hawaii/hilo_grid_1_3_arcsec_original.tif", 701, 692, { { -155.09972, 19.71 }, { -155.03491, 19.77398 } },
+  { "hilo_bay_hawaii/hilo_grid_1_3_arcsec_original.tif", 701, 692, { { 204.90028, 19.71 }, { 204.96509, 19.77398 } },
     0.6030, Resampled },
   { "long_island_ny/hudson_canyon_long_branch_3s.tif", 961, 781, { { -74.15, 40 }, { -73.35, 40.65 } }, 0.8189,
-    Resampled },
-  { "long_island_ny/montauk_block_island_3s.tif", 1081, 661, { { -72.3, 40.8 }, { -71.4, 41.35 } }, 0.8999, Resampled },
-  { "long_island_ny/ny_bight_long_island_3s.nc", 4201, 1801, { { -74.5, 40 }, { -71, 41.5 } }, 0.6464, Resampled },
+    Resampled, 0.0609 },
+  { "long_island_ny/montauk_block_island_3s.tif", 1081, 661, { { -72.3, 40.8 }, { -71.4, 41.35 } }, 0.8999, Resampled,
+    0.0042 },
+  { "long_island_ny/ny_bight_long_island_3s.nc", 4201, 1801, { { -74.5, 40 }, { -71, 41.5 } }, 0.6464, Resampled,
+    0.0135 },
   { "sand_engine_nl/z_dl_12.grd", 136, 701, { { 69026.38, 448675.54 }, { 75805.697, 456040.21 } }, 0.7137, Resampled },
   { "wa_reef_au/myalup_bathy.nc", 176, 180, { { 115.59153, -32.648301 }, { 115.62889, -32.610084 } }, 0.8232, Gridded },
   { "wa_reef_au/myalup_bathy.tif", 176, 180, { { 115.59153, -32.648301 }, { 115.62889, -32.610084 } }, 0.8232,
@@ -100,7 +103,9 @@ TEST_P(SiteCoasts, AreThoseOfTheFile)
   EXPECT_NEAR(report.fileExtent.low.y, site.extent.low.y, digits);
   EXPECT_NEAR(report.fileExtent.high.x, site.extent.high.x, digits);
   EXPECT_NEAR(report.fileExtent.high.y, site.extent.high.y, digits);
-  EXPECT_NEAR(report.waterShare / (1.0 - report.noDataShare), site.water, site.tolerance);
+  const double water = report.waterShare / (1.0 - report.noDataShare);
+  EXPECT_GT(water, site.water - site.tolerance);
+  EXPECT_LT(water, site.water + site.flat + site.tolerance);
   EXPECT_NEAR(report.waterShare + report.landShare + report.noDataShare, 1.0, 1e-12);
 }
 
