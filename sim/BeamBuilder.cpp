@@ -26,15 +26,17 @@ constexpr double FocusPeak = 10.0;
 // On a current rays do not run along the wavenumber, and widths do not tell how it turns.
 constexpr double StillWater = 1e-6;
 
-// Phase over which an inserted ray comes in, rad: feet of a place on neighbouring rays are not on one front.
+// Phase over which an inserted ray comes in, rad.
 constexpr double ComingIn = 2.0 * Pi;
 
 // Between fronts phases are equal to the accuracy of the integration, rad.
 constexpr double PhaseTolerance = 1e-6;
 
-// Distances of rays, over the width of what a beam resolves, between which the integral is doubted: its error is 2 exp(-2 pi^2/x^2).
-constexpr double FineSpacing = 1.6;
-constexpr double CoarseSpacing = 2.4;
+// Before its end a ray is counted as ended over this phase, rad: feet of a place on neighbouring rays are not on one front.
+constexpr double Ending = Pi;
+
+// Widest distance of rays, over the width of their beams.
+constexpr double WidestGap = 1.6;
 
 // Rays go on straight outside of the scene over this many lengths of the longest focus, in so many steps.
 constexpr double ExtensionLengths = 2.0;
@@ -68,6 +70,12 @@ double smoothStep(double low, double high, double x)
   return t * t * (3.0 - 2.0 * t);
 }
 
+// Error of the trapezoidal rule for a Gaussian with places so many widths apart.
+double errorOfSum(double spacing)
+{
+  return std::min(1.0, 2.0 * std::exp(-2.0 * Pi * Pi / (spacing * spacing)));
+}
+
 // Derivative by x of a function known at three places, at the middle one.
 double derivative(double x0, double y0, double x1, double y1, double x2, double y2)
 {
@@ -76,6 +84,11 @@ double derivative(double x0, double y0, double x1, double y1, double x2, double 
   return (before * (x2 - x1) + after * (x1 - x0)) / (x2 - x0);
 }
 
+}
+
+double BeamBuilder::widthOf(const Point& point)
+{
+  return point.scale * std::sqrt(2.0 * LargestExponent / point.spread.imag());
 }
 
 BeamBuilder::BeamBuilder(GaussianBeams& beams)
@@ -184,6 +197,11 @@ void BeamBuilder::findFoci()
     }
     std::nth_element(closing.begin(), closing.begin() + static_cast<std::ptrdiff_t>(closing.size() / 2), closing.end());
     const double median = closing[closing.size() / 2];
+    begin = end;
+    if (2.0 * Pi * median > tip->scale * glm::length(tip->wavenumber))
+    {
+      continue; // closer than a wavelength rays are no waves
+    }
     BeamFocus focus;
     focus.position = tip->position;
     focus.along = tip->rayDirection;
@@ -192,7 +210,6 @@ void BeamBuilder::findFoci()
     focus.spread = FocusSpread * (tip->scale * glm::length(tip->wavenumber) * median);
     this->Beams.Foci.push_back(focus);
     this->Extension = std::max(this->Extension, ExtensionLengths / median);
-    begin = end;
   }
 }
 
@@ -318,6 +335,12 @@ double BeamBuilder::presence(const Ray& ray, double phase) const
   return ray.launched ? 1.0 : smoothStep(0.0, ComingIn, phase - ray.first);
 }
 
+double BeamBuilder::ending(const Ray& ray, double phase) const
+{
+  const double before = ray.launched ? phase - ray.first : Ending;
+  return 1.0 - smoothStep(0.0, Ending, std::min(before, ray.last - phase));
+}
+
 BeamBuilder::Side BeamBuilder::side(std::size_t order, double phase, int direction) const
 {
   const RayLines& lines = this->Rays.lines;
@@ -334,13 +357,14 @@ BeamBuilder::Side BeamBuilder::side(std::size_t order, double phase, int directi
     }
     const bool ended = phase > ray.last + PhaseTolerance;
     const bool notYet = phase < ray.first - PhaseTolerance;
+    const double end = this->ending(ray, phase);
     if (notYet && !ray.launched)
     {
       continue;
     }
     const double share = rest * (ended || notYet ? 1.0 : this->presence(ray, phase));
     side.gap += share * std::abs(lines.launchParameter[ray.index] - lines.launchParameter[own]);
-    side.end += ended || notYet ? share : 0.0;
+    side.end += share * end;
     rest -= share;
     if (!(rest > 1e-9))
     {
@@ -382,7 +406,7 @@ std::vector<BeamBuilder::Point> BeamBuilder::pointsOf(std::size_t order) const
     const Place& place = places[i];
     Point point = place.point;
     point.spread = this->spreadAt(place, times);
-    point.width = point.scale * std::sqrt(2.0 * LargestExponent / point.spread.imag());
+    point.width = widthOf(point);
     if (!this->matters(point))
     {
       points.push_back(point);
@@ -394,15 +418,26 @@ std::vector<BeamBuilder::Point> BeamBuilder::pointsOf(std::size_t order) const
     const double rate = inner ? derivative(a.point.phase, a.tube, place.point.phase, place.tube, b.point.phase, b.tube)
                               : (b.tube - a.tube) / (b.point.phase - a.point.phase);
     const double turn = rate * point.wavenumber * point.wavenumber;
-    const std::complex<double> across = point.spread * place.tube - turn; // M q - p
-    const std::complex<double> sheer = across / std::complex<double>(0.0, place.caustics % 2 == 0 ? 1.0 : -1.0);
     const Side right = this->side(order, point.phase, -1);
     const Side left = this->side(order, point.phase, 1);
+    const double gap = std::max(right.gap, left.gap);
+    // No beam may be narrower than the way to the next.
+    const double narrow = gap * std::abs(place.tube * point.spread) / std::sqrt(point.spread.imag());
+    if (narrow > WidestGap)
+    {
+      point.spread *= (WidestGap / narrow) * (WidestGap / narrow);
+      point.width = widthOf(point);
+    }
+    const std::complex<double> across = point.spread * place.tube - turn; // M q - p
+    const std::complex<double> sheer = across / std::complex<double>(0.0, place.caustics % 2 == 0 ? 1.0 : -1.0);
     const double share = 0.5 * this->presence(ray, point.phase) * (right.gap + left.gap);
     point.amplitude =
       place.height * share / std::sqrt(2.0 * Pi) * std::sqrt(sheer) * std::polar(1.0, -0.5 * Pi * place.caustics);
-    const double spacing = std::max(right.gap, left.gap) * std::abs(across) / std::sqrt(point.spread.imag());
-    point.doubt = std::max({ right.end, left.end, smoothStep(FineSpacing, CoarseSpacing, spacing) });
+    const double spacing = gap * std::abs(across) / std::sqrt(point.spread.imag());
+    point.end = std::max({ right.end, left.end, this->ending(ray, point.phase) });
+    point.coarse = errorOfSum(spacing);
+    // All that a tube wider than a beam can bring.
+    point.amplitude *= std::min(1.0, std::sqrt(2.0 * Pi) / spacing);
     points.push_back(point);
   }
   return points;

@@ -52,6 +52,9 @@ private:
     double end = 0.0;
   };
 
+  /** Half, out to where beams end, on the map. */
+  static double widthOf(const Point& point);
+
   void findFoci();
   void sortRays();
   std::vector<Place> placesOf(const Ray& ray) const;
@@ -59,6 +62,7 @@ private:
   std::complex<double> spreadAt(const Place& place, const std::vector<double>& timesAtFoci) const;
   Side side(std::size_t order, double phase, int direction) const;
   double presence(const Ray& ray, double phase) const;
+  double ending(const Ray& ray, double phase) const;
   bool matters(const Point& point) const;
 
   GaussianBeams& Beams;

@@ -22,6 +22,10 @@ constexpr double Darkest = -5.0;
 constexpr double GivingWay = 0.75;
 constexpr double Lightest = 1.5;
 
+// Triangles next to the caustic reach into the dark as far as this, in z; sheets further there belong to others.
+constexpr double RaggedEdge = -0.4;
+constexpr double NoSheets = -1.0;
+
 // A pair of sheets is that of a caustic where the phase between them is within these shares of what the curvature says, and
 // their mean phase within so many radians.
 constexpr double LeastHalf = 0.5;
@@ -286,6 +290,8 @@ bool FoldStrips::wave(std::size_t index, const glm::dvec2& place, FoldShare& sha
   {
     return false;
   }
+  const double into = std::clamp((z - NoSheets) / (RaggedEdge - NoSheets), 0.0, 1.0);
+  share.hides = share.weight * into * into * (3.0 - 2.0 * into);
   const double g0 = between(a.g0, b.g0, u);
   FoldField field;
   field.z = z;

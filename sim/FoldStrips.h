@@ -14,11 +14,12 @@ namespace swellray
 struct FoldShare
 {
   std::complex<double> wave; ///< m; its phase is that of the two sheets, the caustics before this one counted
-  double weight = 0.0;       ///< 0 to 1: share that it has against the two sheets
-  int number = 0;            ///< caustics passed by the branch behind it
-  int reflections = 0;       ///< by obstacles
-  double middle = 0.0;       ///< S between the branches, rad
-  double half = 0.0;         ///< half the phase between them, rad; 0 on the dark side
+  double weight = 0.0;       ///< 0 to 1: share that it has
+  double hides = 0.0; ///< 0 to 1: share that it takes from the two sheets: none far into the dark, where there are none
+  int number = 0;     ///< caustics passed by the branch behind it
+  int reflections = 0; ///< by obstacles
+  double middle = 0.0; ///< S between the branches, rad
+  double half = 0.0;   ///< half the phase between them, rad; 0 on the dark side
   glm::dvec2 wavenumber{ 0.0 };
 };
 

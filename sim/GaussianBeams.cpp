@@ -21,7 +21,8 @@ constexpr double AllBeams = 5.0;
 constexpr double FirstBeams = -1.2;
 constexpr double AllAhead = -0.6;
 
-// What is left of the nearest beam where beams are no more the wave of the rays; and doubts between which they give way.
+// What is left of the nearest beam where beams are no more the wave of the rays; and what is left of those at an end, or the
+// error, between which they give way.
 constexpr double NoRay = 0.01;
 constexpr double NearRay = 0.1;
 constexpr double LeastDoubt = 0.02;
@@ -71,7 +72,9 @@ struct GaussianBeams::Sum
   std::complex<double> wave = 0.0;
   glm::dvec2 wavenumber{ 0.0 };
   double nearest = 0.0; // what is left of the nearest beam
-  double doubt = 0.0;
+  double end = 0.0;     // and of those at the end of a family
+  double size = 0.0;    // sum of moduli
+  double error = 0.0;   // of the sum
 };
 
 GaussianBeams::GaussianBeams(const RaySheets& sheets, const Execution& execution)
@@ -135,7 +138,9 @@ void GaussianBeams::addRow(const glm::dvec2& first, double spacing, std::size_t 
     BeamShare& share = shares[i];
     share.wave = sums[i].wave;
     share.wavenumber = sums[i].wavenumber;
-    share.weight *= step(NoRay, NearRay, sums[i].nearest) * (1.0 - step(LeastDoubt, MostDoubt, sums[i].doubt));
+    const double error = sums[i].size > 0.0 ? sums[i].error / sums[i].size : 0.0;
+    share.weight *=
+      step(NoRay, NearRay, sums[i].nearest) * (1.0 - step(LeastDoubt, MostDoubt, std::max(sums[i].end, error)));
   }
 }
 
@@ -164,7 +169,7 @@ void GaussianBeams::add(const Segment& segment, const glm::dvec2& place, Sum& su
   const Obstacles* walls = this->Sheets.rays().obstacles;
   if (walls && walls->crosses(foot, place))
   {
-    sum.doubt = 1.0;
+    sum.end = 1.0;
     return;
   }
   const double left = std::exp(-exponent);
@@ -172,10 +177,13 @@ void GaussianBeams::add(const Segment& segment, const glm::dvec2& place, Sum& su
   const double length = segment.length / scale;
   const double phase = cubic(a.phase, b.phase, length * a.wavenumber, length * b.wavenumber, u) +
     glm::mix(a.wavenumber, b.wavenumber, u) * glm::dot(along, place - foot) / scale + 0.5 * spread.real() * off * off;
+  const double size = std::abs(amplitude) * left;
   sum.wave += amplitude * std::polar(left, phase);
-  sum.wavenumber += std::abs(amplitude) * left * glm::mix(a.wavenumber, b.wavenumber, u) * along;
+  sum.wavenumber += size * glm::mix(a.wavenumber, b.wavenumber, u) * along;
   sum.nearest = std::max(sum.nearest, left);
-  sum.doubt = std::max(sum.doubt, left * glm::mix(a.doubt, b.doubt, u));
+  sum.end = std::max(sum.end, left * glm::mix(a.end, b.end, u));
+  sum.size += size;
+  sum.error += size * glm::mix(a.coarse, b.coarse, u);
 }
 
 }

@@ -48,9 +48,9 @@ struct BeamFocus
  *
  * They have the place of sheets and strips within 5 L of a focus, and by a smooth step down to 8 L a share; on the way to
  * the focus, where no caustic has been touched, only from 0.6 L before it on, and a share from 1.2 L on. Rays that
- * leave the scene go on straight beyond it. Where a ray has no neighbour, or one too far away for the integral, and where
- * walls stand, the ends of the family would ring: there the beams give way to the sheets. There are none around foci on a
- * current.
+ * leave the scene go on straight beyond it. Where rays end or have no neighbour, and where walls stand, the ends of the
+ * family would ring, and where neighbours are too far apart the sum is not the integral: there the beams give way to the
+ * sheets. There are none around foci on a current, nor where L is below a wavelength.
  */
 class GaussianBeams
 {
@@ -88,7 +88,8 @@ private:
     double wavenumber = 0.0;              // true, rad/m
     double scale = 1.0;                   // of the map
     double width = 0.0;                   // half, out to where nothing is left, on the map
-    double doubt = 0.0;                   // 0 to 1: the integral may not go on here
+    double end = 0.0;                     // 0 to 1: the family of rays ends here
+    double coarse = 0.0;                  // 0 to 1: error of the sum over rays so far apart
     std::complex<double> spread = 0.0;    // M
     std::complex<double> amplitude = 0.0; // with the share of lambda that is the ray's
   };

@@ -124,7 +124,7 @@ std::complex<double> interfere(
     {
       const bool branch = sheets[i].reflections == fold->reflections &&
         (sheets[i].caustics == fold->number || sheets[i].caustics + 1 == fold->number);
-      weight[i] *= branch && std::abs(sheets[i].phase - fold->middle) < fold->half + Ragged ? 1.0 - fold->weight : 1.0;
+      weight[i] *= branch && std::abs(sheets[i].phase - fold->middle) < fold->half + Ragged ? 1.0 - fold->hides : 1.0;
     }
   }
   // Amplitude of each sheet: of a branch, that of its nearest caustic; without another branch as high as its own modulus.

@@ -593,11 +593,17 @@ TEST(CombineSheets, AStripTakesThePlaceOfItsTwoBranches)
   fold.half = 0.2;
   const auto height = [&](double weight)
   {
-    fold.weight = weight;
+    fold.weight = fold.hides = weight;
     return combineSheets(sheets.data(), 3, CombineRule::Phase, &fold, 1).height;
   };
   EXPECT_NEAR(height(0.0), combineSheets(sheets.data(), 3, CombineRule::Phase).height, Rounding);
   EXPECT_NEAR(height(1.0), 3.0, Rounding);
+  // Far into the dark sheets of its phase are others, which it once put out.
+  fold.hides = 0.0;
+  fold.wave = 0.0;
+  EXPECT_NEAR(combineSheets(sheets.data(), 3, CombineRule::Phase, &fold, 1).height,
+    combineSheets(sheets.data(), 3, CombineRule::Phase).height, Rounding);
+  fold.wave = std::polar(2.0, 20.0);
   // With energies it has no part.
   EXPECT_NEAR(combineSheets(sheets.data(), 3, CombineRule::Energy, &fold, 1).height, std::sqrt(3.0), Rounding);
   // On the dark side it is alone.
