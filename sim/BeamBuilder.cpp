@@ -32,7 +32,8 @@ constexpr double ComingIn = 2.0 * Pi;
 // Between fronts phases are equal to the accuracy of the integration, rad.
 constexpr double PhaseTolerance = 1e-6;
 
-// Before its end a ray is counted as ended over this phase, rad: feet of a place on neighbouring rays are not on one front.
+// Before its end a ray is counted as ended over this phase, rad: feet of a place on neighbouring rays are not on one
+// front.
 constexpr double Ending = Pi;
 
 // Widest distance of rays, over the width of their beams.

@@ -15,14 +15,14 @@ namespace swellray
 namespace
 {
 
-// Distance from a focus, in its length, from which on beams give way to the sheets; and ways ahead of it between which they
-// come in.
+// Distance from a focus, in its length, from which on beams give way to the sheets; and ways ahead of it between which
+// they come in.
 constexpr double AllBeams = 5.0;
 constexpr double FirstBeams = -1.2;
 constexpr double AllAhead = -0.6;
 
-// What is left of the nearest beam where beams are no more the wave of the rays; and what is left of those at an end, or the
-// error, between which they give way.
+// What is left of the nearest beam where beams are no more the wave of the rays; and what is left of those at an end,
+// or the error, between which they give way.
 constexpr double NoRay = 0.01;
 constexpr double NearRay = 0.1;
 constexpr double LeastDoubt = 0.02;

@@ -33,24 +33,26 @@ struct BeamFocus
  *
  *   u(x) = integral of A ((M q - p)/(2 pi i))^(1/2) exp(i (S + M n^2/2)) d lambda,
  *
- * n being the distance of x from the ray at its foot there, q = beta and p = k d beta/ds the tube of the ray, A the height of
- * a tube of width 1, and the root continuous along the ray, so that a caustic turns its phase by pi/2. By stationary phase it
- * is the sum of rays where tubes are wide, for any M with Im M > 0; M q - p vanishes nowhere, whatever the caustic. (Popov
- * 1982, Wave Motion 4, 85-97; Klimes 1984, Geophys. J. R. astr. Soc. 79, 105-118; for M real, Maslov and Fedoriuk 1981.)
+ * n being the distance of x from the ray at its foot there, q = beta and p = k d beta/ds the tube of the ray, A the
+ * height of a tube of width 1, and the root continuous along the ray, so that a caustic turns its phase by pi/2. By
+ * stationary phase it is the sum of rays where tubes are wide, for any M with Im M > 0; M q - p vanishes nowhere, whatever
+ * the caustic. (Popov 1982, Wave Motion 4, 85-97; Klimes 1984, Geophys. J. R. astr. Soc. 79, 105-118; for M real, Maslov
+ * and Fedoriuk 1981.)
  *
  * M is not that of beams which came with the rays from offshore, but is chosen at the focus, so that all of them are
  * narrow there at once, and spreads from it as in water of level ground:
  *
- *   M0 = (0.3 + 0.7 i) k |d beta/ds|,   1/M = 1/M0 + tau,   tau = integral of dS/k^2 along the ray from the phase of the focus;
+ *   M0 = (0.3 + 0.7 i) k |d beta/ds|,   1/M = 1/M0 + tau,   tau = integral of dS/k^2 along the ray from the phase of
+ * the   focus;
  *
- * with several foci the mean of their M by weights (1 + (d/L)^2)^-3, d the distance from each, L = |d beta/ds|^-1. The factors are
- * those with the least errors over five round shoals (docs/theory.md).
+ * with several foci the mean of their M by weights (1 + (d/L)^2)^-3, d the distance from each, L = |d beta/ds|^-1. The
+ * factors are those with the least errors over five round shoals (docs/theory.md).
  *
- * They have the place of sheets and strips within 5 L of a focus, and by a smooth step down to 8 L a share; on the way to
- * the focus, where no caustic has been touched, only from 0.6 L before it on, and a share from 1.2 L on. Rays that
+ * They have the place of sheets and strips within 5 L of a focus, and by a smooth step down to 8 L a share; on the way
+ * to the focus, where no caustic has been touched, only from 0.6 L before it on, and a share from 1.2 L on. Rays that
  * leave the scene go on straight beyond it. Where rays end or have no neighbour, and where walls stand, the ends of the
- * family would ring, and where neighbours are too far apart the sum is not the integral: there the beams give way to the
- * sheets. There are none around foci on a current, nor where L is below a wavelength.
+ * family would ring, and where neighbours are too far apart the sum is not the integral: there the beams give way to
+ * the sheets. There are none around foci on a current, nor where L is below a wavelength.
  */
 class GaussianBeams
 {
