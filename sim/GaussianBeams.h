@@ -42,8 +42,9 @@ struct BeamFocus
  * M is not that of beams which came with the rays from offshore, but is chosen at the focus, so that all of them are
  * narrow there at once, and spreads from it as in water of level ground:
  *
- *   M0 = (0.3 + 0.7 i) k |d beta/ds|,   1/M = 1/M0 + tau,   tau = integral of dS/k^2 along the ray from the phase of
- * the   focus;
+ *   M0 = (0.3 + 0.7 i) k |d beta/ds|,   1/M = 1/M0 + tau,   tau = integral of dS/k^2
+ *
+ * along the ray from the phase of the focus;
  *
  * with several foci the mean of their M by weights (1 + (d/L)^2)^-3, d the distance from each, L = |d beta/ds|^-1. The
  * factors are those with the least errors over five round shoals (docs/theory.md).
