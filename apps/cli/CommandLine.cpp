@@ -5,6 +5,7 @@
 #include "OptionGroups.h"
 #include "Options.h"
 #include "ShellWords.h"
+#include "Sweep.h"
 #include "Values.h"
 #include "Version.h"
 
@@ -85,6 +86,8 @@ private:
   void refuseExtras() const;
   void refuseExtra(const std::string& extra, const std::vector<Registered>& known, const std::string& where) const;
   void take(Registered& registered);
+  void set(const OptionSpec& spec, const std::string& value);
+  std::vector<Request> sweep();
   void takeConfiguration();
   std::string lineForTheFiles() const;
   void checkSection(const CLI::ConfigItem& item) const;
@@ -95,6 +98,7 @@ private:
   std::vector<std::string> FromFile; // what the configuration file adds to them
   Request Result;
   std::string ConfigFile;
+  std::vector<SweepAxis> Axes;
   CLI::App App;
   std::vector<Registered> Common;
   std::vector<CommandApp> Commands;
@@ -233,6 +237,44 @@ void Parser::refuseExtras() const
   }
 }
 
+void Parser::set(const OptionSpec& spec, const std::string& value)
+{
+  if (spec.takesLists && isList(value))
+  {
+    this->Axes.push_back({ spec.longName(), expandList(spec.longName(), value) });
+    spec.set(this->Axes.back().values.front());
+    return;
+  }
+  spec.set(value);
+}
+
+// The request once a case, each checked. Options write into the one request, which is copied.
+std::vector<Request> Parser::sweep()
+{
+  std::vector<Request> cases;
+  const std::size_t count = this->Axes.empty() ? 0 : caseCount(this->Axes);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    for (std::size_t axis = 0; axis < this->Axes.size(); ++axis)
+    {
+      for (const Registered& registered : this->Chosen->options)
+      {
+        if (registered.spec.longName() == this->Axes[axis].option)
+        {
+          registered.spec.set(caseValue(this->Axes, axis, i));
+        }
+      }
+    }
+    cases.push_back(this->Result);
+    becomeCase(cases.back(), this->Axes, i);
+    if (this->Chosen->spec.check)
+    {
+      this->Chosen->spec.check(cases.back());
+    }
+  }
+  return cases;
+}
+
 void Parser::take(Registered& registered)
 {
   if (registered.option->count() == 0)
@@ -251,7 +293,7 @@ void Parser::take(Registered& registered)
   }
   for (const std::string& value : values)
   {
-    registered.spec.set(value);
+    this->set(registered.spec, value);
   }
 }
 
@@ -339,7 +381,7 @@ void Parser::takeConfigurationItem(const CLI::ConfigItem& item)
     {
       try
       {
-        registered.spec.set(value);
+        this->set(registered.spec, value);
         registered.option->add_result(value);
         this->FromFile.push_back(registered.spec.value.empty() ? name : name + "=" + value);
       }
@@ -468,11 +510,14 @@ std::optional<Call> Parser::read()
       throw UsageError(fmt::format("{} needs {} {}", name, registered.spec.longName(), registered.spec.value));
     }
   }
+  const Request asked = this->Result;
   if (this->Chosen->spec.check)
   {
     this->Chosen->spec.check(this->Result);
   }
-  return Call{ this->Result, this->Chosen->spec.run };
+  const Request single = this->Result;
+  this->Result = asked;
+  return Call{ single, this->sweep(), this->Chosen->spec.run };
 }
 
 }

@@ -15,6 +15,7 @@ namespace swellray::cli
 struct Call
 {
   Request request;
+  std::vector<Request> cases;                        ///< of a sweep; empty: there is none
   std::function<void(const Request&, Console&)> run; ///< throws UsageError and WorkError
 };
 

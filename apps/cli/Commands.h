@@ -13,6 +13,7 @@ CommandSpec contourSpec(Request& request);
 CommandSpec gridSpec(Request& request);
 CommandSpec traceSpec(Request& request);
 CommandSpec surfaceSpec(Request& request);
+CommandSpec seaSpec(Request& request);
 CommandSpec spectrumSpec(Request& request);
 CommandSpec renderSpec(Request& request);
 CommandSpec viewSpec(Request& request);

@@ -21,14 +21,14 @@ namespace
 // A tolerance beyond these either cannot be met in double precision or says nothing.
 const NumberRule Tolerance{ "", 1e-14, 1e-2 };
 
-OptionSpec offshoreDepthOption(IncidentWave& wave)
+OptionSpec offshoreDepthOption(IncidentWave& wave, const char* name = "--offshore-depth",
+  const char* help = "depth in which height and direction are given, m")
 {
-  OptionSpec depth{ "--offshore-depth", "M|deep", "depth in which height and direction are given, m", "deep",
-    "Incident wave", false, {} };
-  depth.set = [&wave](const std::string& typed)
+  OptionSpec depth{ name, "M|deep", help, "deep", "Incident wave", false, {} };
+  depth.set = [&wave, name](const std::string& typed)
   {
-    wave.offshoreDepth = typed == "deep" ? std::numeric_limits<double>::infinity()
-                                         : parseNumber("--offshore-depth", typed, PositiveMetres);
+    wave.offshoreDepth =
+      typed == "deep" ? std::numeric_limits<double>::infinity() : parseNumber(name, typed, PositiveMetres);
   };
   return depth;
 }
@@ -272,6 +272,14 @@ std::vector<OptionSpec> rayOptions(RayRequest& rays)
   return options;
 }
 
+std::vector<OptionSpec> uniformDepthOptions(IncidentWave& wave, const char* group)
+{
+  OptionSpec depth = offshoreDepthOption(wave, "--depth", "depth of the water, m");
+  OptionSpec gravity = gravityOption(wave);
+  depth.group = gravity.group = group;
+  return { depth, gravity };
+}
+
 std::vector<OptionSpec> offshoreOptions(RayRequest& rays)
 {
   return { offshoreDepthOption(rays.wave), gravityOption(rays.wave), edgeOption(rays.trace),
@@ -369,26 +377,25 @@ void checkContours(const ContourRequest& contour)
   }
 }
 
-void checkOutputs(const OutputRequest& output)
+void checkDifferentFiles(const std::vector<std::pair<std::string, std::string>>& files)
 {
-  std::vector<std::pair<std::string, std::string>> files;
-  for (const auto& file : { std::make_pair("--output", output.file), std::make_pair("--crests", output.crests),
-         std::make_pair("--breaker-line", output.breakerLine), std::make_pair("--map", output.map),
-         std::make_pair("--spray", output.spray), std::make_pair("--table", output.table),
-         std::make_pair("--spectra", output.spectra) })
+  for (std::size_t i = 0; i < files.size(); ++i)
   {
-    for (const auto& other : files)
+    for (std::size_t j = 0; j < i; ++j)
     {
-      if (!file.second.empty() && sameFile(other.second, file.second))
+      if (!files[i].second.empty() && !files[j].second.empty() && sameFile(files[i].second, files[j].second))
       {
-        throw UsageError(fmt::format("{} and {} name the same file; give two", other.first, file.first));
+        throw UsageError(fmt::format("{} and {} name the same file; give two", files[j].first, files[i].first));
       }
     }
-    if (!file.second.empty())
-    {
-      files.emplace_back(file);
-    }
   }
+}
+
+void checkOutputs(const OutputRequest& output)
+{
+  checkDifferentFiles({ { "--output", output.file }, { "--crests", output.crests },
+    { "--breaker-line", output.breakerLine }, { "--map", output.map }, { "--spray", output.spray },
+    { "--table", output.table }, { "--spectra", output.spectra }, { "--elevation-series", output.elevations } });
 }
 
 }

@@ -13,6 +13,7 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     gridSpec(request),
     traceSpec(request),
     surfaceSpec(request),
+    seaSpec(request),
     spectrumSpec(request),
     renderSpec(request),
     viewSpec(request),

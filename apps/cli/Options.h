@@ -21,6 +21,7 @@ struct OptionSpec
   bool required = false;
   std::function<void(const std::string&)> set; ///< takes the text typed; throws UsageError
   bool repeatable = false;                     ///< may be given several times
+  bool takesLists = false;                     ///< a list makes a sweep
 
   /** The longest of its names, as messages give it. */
   std::string longName() const;

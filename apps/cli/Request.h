@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace swellray::cli
@@ -105,6 +106,14 @@ struct SpectrumRequest
   double friction = 0.0;          ///< m2/s3
 };
 
+/** Surface elevation in time at stations. */
+struct ElevationRequest
+{
+  double duration = 1200.0; ///< s
+  double interval = 0.5;    ///< s
+  int seed = 1;
+};
+
 /** In place of a file of crest lines: make them from the rays that are drawn. */
 constexpr const char* CrestsFromRays = "auto";
 
@@ -191,6 +200,38 @@ struct AgainRequest
   bool show = false;  ///< only print how it was made
 };
 
+/** How the directions of a sea surface spread. */
+enum class SeaSpreading
+{
+  Hasselmann,    ///< Hasselmann et al. 1980
+  Thon,          ///< Thon et al. 2000
+  CosinePower,   ///< of the spread given
+  WrappedNormal, ///< of the spread given
+};
+
+/** A patch of sea surface, and what is made of it. */
+struct SeaRequest
+{
+  std::optional<double> spread;          ///< degrees
+  std::optional<SeaSpreading> spreading; ///< none: Hasselmann, or the cosine power where a spread is given
+  double size = 200.0;                   ///< side of the patch, m
+  std::optional<double> spacing;         ///< of the mesh, m; none: 256 points a side
+  std::optional<double> time;            ///< s
+  std::optional<TimeSeries> times;       ///< frames of a series
+  int components = 64;
+  double sharpness = 1.0;
+  bool turbulence = true;
+  bool tile = false;
+  int seed = 1;
+  std::string heightImage; ///< files; empty: none
+  std::string normalImage;
+  std::string picture;
+  int pixels = 512; ///< a side of the images
+  std::array<int, 2> pictureSize{ 800, 450 };
+  double eyeHeight = 8.0;              ///< m above the mean level
+  std::optional<double> lookDirection; ///< where to, degrees from north; none: towards the waves
+};
+
 /** Files to write; empty: not asked for. */
 struct OutputRequest
 {
@@ -199,8 +240,9 @@ struct OutputRequest
   std::string breakerLine;
   std::string spray;
   std::string map;
-  std::string table;   ///< waves at the stations
-  std::string spectra; ///< spectra at the stations
+  std::string table;      ///< waves at the stations
+  std::string spectra;    ///< spectra at the stations
+  std::string elevations; ///< surface elevation at the stations in time
   bool compress = false;
   bool points = false; ///< in a .gpkg the points of lines too
 };
@@ -213,6 +255,8 @@ struct Request
   RayRequest rays;
   MapRequest map;
   SpectrumRequest spectrum;
+  ElevationRequest elevation;
+  SeaRequest sea;
   MildSlopeRequest mildSlope;
   RenderRequest render;
   ViewRequest view;
@@ -224,6 +268,9 @@ struct Request
   bool quiet = false;
   int threads = 0;         ///< 0: as many as the machine has
   std::string commandLine; ///< as typed, for the files
+
+  /** What sets a case of a sweep apart: the options that are varied and their values. Empty: no sweep. */
+  std::vector<std::pair<std::string, std::string>> variation;
 };
 
 }

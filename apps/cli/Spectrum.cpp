@@ -1,4 +1,5 @@
 #include "Commands.h"
+#include "ElevationOutput.h"
 #include "Failure.h"
 #include "FieldValues.h"
 #include "FilterRun.h"
@@ -6,8 +7,10 @@
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
+#include "SeaOptions.h"
 #include "SeaSeries.h"
 #include "StationTable.h"
+#include "Sweep.h"
 
 #include "bathymetry/SpectrumFile.h"
 #include "bathymetry/TransferFile.h"
@@ -35,9 +38,6 @@ namespace
 // Nodes of a map without --map-spacing: a minute or so of rays.
 constexpr double UsualNodes = 2500.0;
 
-const NumberRule Spreads{ "degrees", 1.0, 80.0 };
-const NumberRule Peakednesses{ "", 1.0, 20.0 };
-const NumberRule Winds{ "m/s", 0.0, 200.0, true };
 const NumberRule StepErrors{ "", 1e-14, 1e-2 };
 
 void setUp(vtkSwellSpectralMap* filter, const Request& request)
@@ -211,6 +211,7 @@ void runSpectrum(const Request& request, Console& console)
   const OutputFile* const mapFile = open(request.output.map);
   const OutputFile* const tableFile = open(request.output.table);
   const OutputFile* const spectraFile = open(request.output.spectra);
+  const OutputFile* const elevationFile = open(request.output.elevations);
   std::optional<StationTable> stations;
   if (!request.map.stations.empty())
   {
@@ -253,7 +254,7 @@ void runSpectrum(const Request& request, Console& console)
   if (stations)
   {
     const auto places = stations->places(scene);
-    filter->SetKeepSpectra(spectraFile != nullptr);
+    filter->SetKeepSpectra(spectraFile || elevationFile);
     run(places, "stations");
     if (series)
     {
@@ -270,6 +271,10 @@ void runSpectrum(const Request& request, Console& console)
         { "Depth", "SignificantWaveHeight", "PeakPeriod", "MeanPeriod", "ZeroCrossingPeriod", "EnergyPeriod",
           "MeanDirectionFrom", "DirectionalSpread", "Breaking" },
         "SignificantWaveHeight", *tableFile, console);
+    }
+    if (elevationFile)
+    {
+      writeElevations(filter->GetSpectra(), request, *elevationFile, console);
     }
     if (spectraFile)
     {
@@ -306,15 +311,17 @@ void checkSpectrum(Request& request)
   const OutputRequest& output = request.output;
   checkOutputs(output);
   checkPlane(request, "spectrum");
-  if (output.map.empty() && output.table.empty() && output.spectra.empty())
+  const bool atStations = !(output.table.empty() && output.spectra.empty() && output.elevations.empty());
+  if (output.map.empty() && !atStations)
   {
-    throw UsageError("spectrum has nothing to write: give --map FILE, or --stations POINTS.csv with --table OUT.csv or "
-                     "--spectra OUT.sp2");
+    throw UsageError("spectrum has nothing to write: give --map FILE, or --stations POINTS.csv with --table OUT.csv, "
+                     "--spectra OUT.sp2 or --elevation-series OUT.csv");
   }
-  if (request.map.stations.empty() != (output.table.empty() && output.spectra.empty()))
+  if (request.map.stations.empty() == atStations)
   {
-    throw UsageError("--stations belongs together with --table or --spectra; give both");
+    throw UsageError("--stations belongs together with --table, --spectra or --elevation-series; give both");
   }
+  checkElevation(request);
   if (request.map.spacing && output.map.empty())
   {
     throw UsageError("--map-spacing needs --map FILE");
@@ -325,7 +332,8 @@ void checkSpectrum(Request& request)
     throw UsageError("the sea offshore is given in one of four ways: --hs and --tp, or --wind, or --boundary FILE, or "
                      "--series FILE");
   }
-  if (!sea.series.empty() && (output.table.empty() || !output.map.empty() || !output.spectra.empty()))
+  if (!sea.series.empty() &&
+    (output.table.empty() || !output.map.empty() || !output.spectra.empty() || !output.elevations.empty()))
   {
     throw UsageError("--series makes a table in time: give --stations and --table, and no other output");
   }
@@ -333,17 +341,10 @@ void checkSpectrum(Request& request)
   {
     throw UsageError("--transfer and another output name the same file; give two");
   }
-  if (byHeight && !(sea.height && sea.peakPeriod))
-  {
-    throw UsageError(sea.height ? "--hs needs --tp S" : "--tp needs --hs M");
-  }
+  checkSeaState(sea);
   if (sea.boundary.empty() && sea.series.empty() && !sea.directionFrom)
   {
     throw UsageError("spectrum needs --direction DEG");
-  }
-  if (sea.fetch && !sea.wind)
-  {
-    throw UsageError("--fetch needs --wind M/S");
   }
   if (sea.shape == SpectrumShape::Tma && !std::isfinite(request.rays.wave.offshoreDepth))
   {
@@ -379,24 +380,14 @@ OptionSpec whole(const char* name, const char* help, const char* standard, int& 
 std::vector<OptionSpec> seaOptions(SpectrumRequest& sea)
 {
   const char* group = "Sea offshore";
-  return {
-    number("--hs", "M", "significant wave height, m", "", group, sea.height, PositiveMetres),
-    number("--tp", "S", "peak period, s", "", group, sea.peakPeriod, PositiveSeconds),
-    number("--direction", "DEG", "mean direction the sea comes from, degrees clockwise from north", "", group,
-      sea.directionFrom, Degrees),
-    number(
-      "--spread", "DEG", "circular standard deviation of the directions, degrees", "25", group, sea.spread, Spreads),
-    choice("--shape", "shape of the spectrum", "jonswap", group, sea.shape,
-      std::vector<std::pair<std::string, SpectrumShape>>{ { "jonswap", SpectrumShape::Jonswap },
-        { "pierson-moskowitz", SpectrumShape::PiersonMoskowitz }, { "tma", SpectrumShape::Tma } }),
-    number("--peakedness", "G", "peak enhancement of jonswap and tma", "3.3", group, sea.peakedness, Peakednesses),
-    number("--wind", "M/S", "the sea of this wind at 10 m height, m/s", "", group, sea.wind, Winds),
-    number("--fetch", "M", "fetch of the wind, m", "without end", group, sea.fetch, PositiveMetres),
-    text("--boundary", "FILE", "the sea of a spectral file (SWAN .bnd, .sp1, .sp2)", "", group, sea.boundary),
-    text("--series", "FILE",
-      "seas in time: .csv with time, hs, tp, direction, and spread if it varies, or a spectral file", "", group,
-      sea.series),
-  };
+  std::vector<OptionSpec> options = seaStateOptions(sea, group);
+  add(options,
+    { spreadOption(sea.spread, group),
+      text("--boundary", "FILE", "the sea of a spectral file (SWAN .bnd, .sp1, .sp2)", "", group, sea.boundary),
+      text("--series", "FILE",
+        "seas in time: .csv with time, hs, tp, direction, and spread if it varies, or a spectral file", "", group,
+        sea.series) });
+  return options;
 }
 
 }
@@ -414,6 +405,7 @@ CommandSpec spectrumSpec(Request& request)
     number("--map-spacing", "M", "distance of the nodes of the map, m", "2,500 nodes", "Output", request.map.spacing,
       PositiveMetres),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
+  add(spec.options, elevationOptions(request));
   add(spec.options, seaOptions(sea));
   OptionSpec transfer = outputFile(
     "--transfer", "keep the rays in this file, and take from it those that it has, .nc", sea.transfer, { ".nc" });
@@ -435,11 +427,15 @@ CommandSpec spectrumSpec(Request& request)
       number("--friction", "C", "bottom friction coefficient, m2/s3 (0.038: swell over sand)", "0", group, sea.friction,
         NonNegativeNumber) });
   add(spec.options, seafloorOptions(request.seafloor.options));
+  allowLists(spec.options, { "--hs", "--tp", "--direction", "--spread", "--wind", "--water-level" });
   spec.examples =
     "  swellray spectrum harbour.tif --hs 2.5 --tp 11 --direction 240 --spread 20 --map sea.nc\n"
     "  swellray spectrum harbour.tif --wind 15 --fetch 80000 --direction 270 --stations buoys.csv --table sea.csv\n"
     "  swellray spectrum estuary.swn --boundary west.bnd --stations buoys.csv --table sea.csv --spectra sea.sp2\n"
     "  swellray spectrum harbour.tif --series hindcast.csv --transfer rays.nc --stations buoys.csv --table sea.csv\n"
+    "  swellray spectrum harbour.tif --hs 2.5 --tp 11 --direction 240 --stations buoys.csv --elevation-series eta.csv "
+    "--duration 3600\n"
+    "  swellray spectrum harbour.tif --hs 2 --tp 8:16:2 --direction 200:260:10 --stations buoys.csv --table sea.csv\n"
     "  swellray spectrum plane --hs 1 --tp 8 --direction 60 --map sea.vti --rays-per-direction 3\n";
   spec.check = checkSpectrum;
   spec.run = runSpectrum;

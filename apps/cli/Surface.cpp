@@ -1,7 +1,7 @@
 #include "Commands.h"
 #include "Failure.h"
 #include "FieldValues.h"
-#include "FilterRun.h"
+#include "FrameSeries.h"
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
@@ -14,13 +14,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkXMLPolyDataWriter.h>
 
-#include <chrono>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,8 +27,6 @@ namespace swellray::cli
 
 namespace
 {
-
-namespace fs = std::filesystem;
 
 OptionSpec profileOption(SurfaceRequest& surface)
 {
@@ -58,11 +51,6 @@ OptionSpec profileOption(SurfaceRequest& surface)
     }
   };
   return spec;
-}
-
-bool isSeries(const std::string& file)
-{
-  return fs::path(file).extension() == ".pvd";
 }
 
 void checkSurface(Request& request)
@@ -102,111 +90,10 @@ void checkSurface(Request& request)
   checkOutputs(request.output);
 }
 
-void writeVtp(vtkPolyData* surface, const OutputFile& file, const Request& request, Console& console)
-{
-  vtkNew<vtkXMLPolyDataWriter> writer;
-  writeXml(writer, surface, file, request, console);
-}
-
 void saySurface(vtkPolyData* surface, const Console& console)
 {
   console.say(fmt::format("surface  {}: {} points, {} triangles", fieldText(surface, "Section"),
     surface->GetNumberOfPoints(), surface->GetPolys()->GetNumberOfCells()));
-}
-
-// True where the file is a whole frame of this very call.
-bool isKept(const fs::path& frame, double time, const Request& request, Console& console)
-{
-  std::error_code none;
-  if (!fs::exists(frame, none))
-  {
-    return false;
-  }
-  try
-  {
-    const vtkSmartPointer<vtkPolyData> surface = readLines(frame.string(), console);
-    return fieldNumber(surface, "Time") == time && fieldText(surface, "CommandLine") == request.commandLine;
-  }
-  catch (const WorkError&)
-  {
-    return false;
-  }
-}
-
-void writeSeriesFile(const OutputFile& file, const std::vector<std::pair<double, std::string>>& frames)
-{
-  std::ofstream out(file.temporary(), std::ios::trunc);
-  out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n  <Collection>\n";
-  for (const auto& [time, name] : frames)
-  {
-    out << fmt::format("    <DataSet timestep=\"{}\" file=\"{}\"/>\n", time, name);
-  }
-  out << "  </Collection>\n</VTKFile>\n";
-  out.close();
-  if (!out)
-  {
-    file.fail("it could not be written whole");
-  }
-}
-
-// A series on its way: its file, the folder beside it, and what makes a frame.
-struct Series
-{
-  OutputFile* file = nullptr;
-  fs::path path;
-  std::function<vtkPolyData*(double)> make;
-  std::vector<std::pair<double, std::string>> frames;
-
-  fs::path folder() const { return this->path.parent_path() / this->path.stem(); }
-};
-
-void writeSeries(std::vector<Series>& all, const Request& request, Console& console)
-{
-  const TimeSeries& times = *request.surface.times;
-  for (const Series& series : all)
-  {
-    std::error_code error;
-    fs::create_directories(series.folder(), error);
-    if (error)
-    {
-      throw WorkError(fmt::format("cannot make the folder '{}': {}", series.folder().string(), error.message()));
-    }
-  }
-  const std::size_t count = times.count();
-  std::size_t kept = 0;
-  std::size_t made = 0;
-  const auto start = std::chrono::steady_clock::now();
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const double time = times.at(i);
-    for (Series& series : all)
-    {
-      const std::string stem = series.path.stem().string();
-      const std::string name = fmt::format("{}_{:06}.vtp", stem, i);
-      series.frames.emplace_back(time, (fs::path(stem) / name).string());
-      if (isKept(series.folder() / name, time, request, console))
-      {
-        ++kept;
-        continue;
-      }
-      vtkPolyData* data = series.make(time);
-      OutputFile frame((series.folder() / name).string(), {});
-      writeVtp(data, frame, request, console);
-      frame.commit();
-      if (made++ == 0)
-      {
-        saySurface(data, console);
-      }
-    }
-    console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
-  }
-  console.endProgress();
-  for (const Series& series : all)
-  {
-    writeSeriesFile(*series.file, series.frames);
-  }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  console.say(fmt::format("frames   {}: {} made in {:.2f} s, {} kept", made + kept, made, seconds, kept));
 }
 
 void runSurface(const Request& request, Console& console)
@@ -236,16 +123,16 @@ void runSurface(const Request& request, Console& console)
   const auto makeSpray = [&](double time) { return pipeline.makeSpray(time); };
   if (surface.times && (file || sprayFile))
   {
-    std::vector<Series> series;
+    std::vector<FrameSeries> series;
     if (file)
     {
-      series.push_back({ file, request.output.file, makeSurface, {} });
+      series.push_back({ file, makeSurface });
     }
     if (sprayFile)
     {
-      series.push_back({ sprayFile, request.output.spray, makeSpray, {} });
+      series.push_back({ sprayFile, makeSpray });
     }
-    writeSeries(series, request, console);
+    writeFrames(series, *surface.times, request, console, [&](vtkPolyData* data) { saySurface(data, console); });
   }
   else
   {
@@ -254,13 +141,13 @@ void runSurface(const Request& request, Console& console)
     {
       vtkPolyData* data = makeSurface(time);
       saySurface(data, console);
-      writeVtp(data, *file, request, console);
+      writeFrame(data, *file, request, console);
     }
     if (sprayFile)
     {
       vtkPolyData* data = makeSpray(time);
       console.say(fmt::format("spray    {} particles", data->GetNumberOfPoints()));
-      writeVtp(data, *sprayFile, request, console);
+      writeFrame(data, *sprayFile, request, console);
     }
   }
   if (tableFile)

@@ -10,6 +10,7 @@
 #include "Pipeline.h"
 #include "RayValues.h"
 #include "StationTable.h"
+#include "Sweep.h"
 #include "WaterLevelSeries.h"
 
 #include "sim/Angles.h"
@@ -357,6 +358,7 @@ CommandSpec traceSpec(Request& request)
   add(spec.options, mildSlopeOptions(request.mildSlope));
   add(spec.options, mapOptions(request.map));
   add(spec.options, seafloorOptions(request.seafloor.options));
+  allowLists(spec.options, { "--period", "--direction", "--height", "--water-level" });
   spec.examples =
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp --crests crests.vtp\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.gpkg --breaker-line breakers.geojson\n"
@@ -370,6 +372,8 @@ CommandSpec traceSpec(Request& request)
     "-o rays.vtp\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --method mild-slope --map heights.nc\n"
     "  swellray trace pacific.nc --earth ellipsoid --period 16 --from-storm 170,-50 --height 2 -o rays.vtp\n"
+    "  swellray trace harbour.tif --period 8,12,16 --direction 200:260:10 --height 2 --stations buoys.csv --table "
+    "waves.csv\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "

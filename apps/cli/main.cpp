@@ -2,6 +2,7 @@
 #include "Failure.h"
 #include "FilterRun.h"
 #include "OutputFile.h"
+#include "Sweep.h"
 
 #include "bathymetry/Text.h"
 
@@ -24,7 +25,12 @@ void run(const Call& call)
     vtkSMPTools::Initialize(request.threads);
   }
   Console console(request.quiet);
-  call.run(call.request, console);
+  if (call.cases.empty())
+  {
+    call.run(call.request, console);
+    return;
+  }
+  runSweep(call.request, call.cases, call.run, console);
 }
 
 int report(const char* message, int code)

@@ -46,3 +46,12 @@ swellray_cli_test(spectrum_series_value 1 "" "seas.csv' line 3: '-1' is no peak 
 swellray_cli_test(spectrum_series_and_map 2 "" "--series makes a table in time" "${series} $IN/seas.csv --map m.nc")
 swellray_cli_test(spectrum_series_missing 1 "" "cannot read 'none.csv'" "${series} none.csv")
 swellray_cli_test(spectrum_range 2 "" "--frequency-range needs F0,F1" "${spectrum} --frequency-range 0.3,0.1 --map m.vti")
+
+# Elevation in time at stations.
+set(elevation "${spectrum} --quiet --stations $IN/points.csv --elevation-series e.csv --duration 300 --interval 0.5")
+swellray_cli_test(spectrum_elevation 0 "^Time,Elevation1,Elevation2,Elevation3\n0,[-0-9.]+,[-0-9.]+,[-0-9.]+\n601\n$" ""
+  "${elevation} 2>err; code=$?; head -2 e.csv; wc -l < e.csv; exit $code")
+swellray_cli_test(spectrum_elevation_seed 0 "^same\nother\n$" ""
+  "${elevation} 2>err; cp e.csv f.csv; ${elevation} 2>err; cmp e.csv f.csv && echo same; ${elevation} --seed 2 2>err; cmp -s e.csv f.csv || echo other")
+swellray_cli_test(spectrum_elevation_short 1 "" "elevation at station 1: a record of .* too short" "${spectrum} --quiet --stations $IN/points.csv --elevation-series e.csv --duration 10")
+swellray_cli_test(spectrum_elevation_samples 2 "" "it must be 2 to a million" "${spectrum} --stations $IN/points.csv --elevation-series e.csv --interval 1e-9" )

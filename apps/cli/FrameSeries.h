@@ -1,0 +1,39 @@
+#pragma once
+
+#include "Options.h"
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkPolyData;
+
+namespace swellray::cli
+{
+
+class OutputFile;
+
+/** True for the name of a series, .pvd. */
+bool isSeries(const std::string& file);
+
+/** Write data as .vtp. @throws WorkError */
+void writeFrame(vtkPolyData* data, const OutputFile& file, const Request& request, Console& console);
+
+/** A series on its way: its file, beside which a folder of the same name has the frames, and what makes a frame. */
+struct FrameSeries
+{
+  OutputFile* file = nullptr;
+  std::function<vtkPolyData*(double)> make;                ///< the data at a time, s
+  std::vector<std::pair<double, std::string>> frames = {}; ///< that there are: time and file
+};
+
+/**
+ * Write series of frames, time by time. Whole frames of the very same call that are there are kept.
+ * @param said called with the first frame that is made
+ * @throws WorkError
+ */
+void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const Request& request, Console& console,
+  const std::function<void(vtkPolyData*)>& said);
+
+}
