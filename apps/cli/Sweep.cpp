@@ -82,6 +82,22 @@ void replaceValue(
   words.push_back(value);
 }
 
+// Leave out what makes no other result.
+void dropIdle(std::vector<std::string>& words)
+{
+  for (std::size_t i = 0; i < words.size();)
+  {
+    const bool two = words[i] == "--threads" && i + 1 < words.size();
+    const bool idle = two || words[i] == "--quiet" || words[i].rfind("--threads=", 0) == 0;
+    const auto at = words.begin() + static_cast<std::ptrdiff_t>(i);
+    i += idle ? 0 : 1;
+    if (idle)
+    {
+      words.erase(at, at + (two ? 2 : 1));
+    }
+  }
+}
+
 std::vector<std::string> filesOf(const Request& request)
 {
   std::vector<std::string> files;
@@ -350,6 +366,7 @@ void becomeCase(Request& request, const std::vector<SweepAxis>& axes, std::size_
     request.spectrum.transfer = withSuffix(request.spectrum.transfer, levelSuffix);
     replaceValue(words, "--transfer", "", request.spectrum.transfer);
   }
+  dropIdle(words);
   request.commandLine = lineOf(words);
 }
 

@@ -5,7 +5,7 @@ swellray_cli_test(help_sea 0 "Examples:\n  swellray sea" "" "$SWELLRAY sea --hel
 swellray_cli_test(sea_mesh 0 "sea      Hs 1 m, Tp 5 s; trochoids up to [0-9.]+ Hz, then turbulence.*wrote    s.vtp" ""
   "${surface_of_sea} -o s.vtp && grep -q SurfaceHeight s.vtp")
 swellray_cli_test(sea_images 0 "heights  -1.25 to 1.25 m.*wrote    h.png and n.png" ""
-  "${surface_of_sea} --tile --pixels 64 --height-map h.png --normal-map n.png && file h.png | grep -q '64 x 64, 16-bit' && file n.png | grep -q '64 x 64, 8-bit/color RGB'")
+  "$SWELLRAY sea --hs 1 --tp 5 --direction 240 --size 150 --tile --pixels 64 --height-map h.png --normal-map n.png && file h.png | grep -q '64 x 64, 16-bit' && file n.png | grep -q '64 x 64, 8-bit/color RGB'")
 swellray_cli_test(sea_tif 0 "wrote    h.tif and n.tif" ""
   "${surface_of_sea} --pixels 64 --height-map h.tif --normal-map n.tif && $SWELLRAY info h.tif --crs local | grep -q '64 x 64'")
 swellray_cli_test(sea_picture 0 "wrote    p.png" ""

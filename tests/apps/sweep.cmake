@@ -2,7 +2,7 @@
 set(sweep "$SWELLRAY trace $IN/beach.asc --period 6,8 --direction 260:280:10 --height 0.5")
 swellray_cli_test(sweep_files 0
   "case     1 of 6: period 6, direction 260\n.*sweep    6 cases: 6 run, 0 kept, 0 failed; r.cases.csv\nr.cases.csv\nr_period6_direction260.vtp\nr_period6_direction270.vtp\nr_period6_direction280.vtp\nr_period8_direction260.vtp\n.*\nperiod,direction,files,state,seconds,command\n6,260,\"r_period6_direction260.vtp\",done,[0-9.e-]+,\"swellray trace .* --period 6 --direction 260 --height 0.5 -o r_period6_direction260.vtp\"\n"
-  "" "${sweep} -o r.vtp 2>err && ls && cat r.cases.csv")
+  "" "${sweep} -o r.vtp 2>err && ls r* && cat r.cases.csv")
 swellray_cli_test(sweep_equals_single 0 "^same\n$" ""
   "${sweep} --stations $IN/points.csv --table t.csv --quiet 2>err; $SWELLRAY trace $IN/beach.asc --period 8 --direction 270 --height 0.5 --stations $IN/points.csv --table u.csv --quiet 2>err; cmp u.csv t_period8_direction270.csv && [ \"$(grep '^8,270,50,100' t.csv)\" = \"8,270,$(grep '^50,100' u.csv)\" ] && head -1 t.csv | grep -q '^period,direction,x,y,name,' && [ $(wc -l < t.csv) = 19 ] && echo same")
 swellray_cli_test(sweep_resumes 0 "sweep    6 cases: 2 run, 4 kept, 0 failed.*sweep    6 cases: 6 run, 0 kept" ""

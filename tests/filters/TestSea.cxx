@@ -54,8 +54,8 @@ TEST(Sea, meshLooksUpAndStandsAtTheHeightsItTells)
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); i += 7)
   {
     mesh->GetPoint(i, p);
-    EXPECT_EQ(p[0], 10.0 + 5.0 * static_cast<double>(i % 31));
-    EXPECT_EQ(p[1], -20.0 + 5.0 * static_cast<double>(i / 31));
+    EXPECT_DOUBLE_EQ(p[0], 10.0 + 5.0 * static_cast<double>(i % 31));
+    EXPECT_DOUBLE_EQ(p[1], -20.0 + 5.0 * static_cast<double>(i / 31));
     EXPECT_EQ(p[2], heightOf(mesh, i));
     EXPECT_GT(mesh->GetPointData()->GetNormals()->GetComponent(i, 2), 0.5);
   }
