@@ -93,12 +93,13 @@ int vtkSwellSea::RequestInformation(vtkInformation*, vtkInformationVector**, vtk
 
 std::shared_ptr<const swellray::SeaSurface> vtkSwellSea::makeSurface() const
 {
+  const double depth = this->Depth != 0.0 ? this->Depth : std::numeric_limits<double>::infinity();
   swellray::SeaState state;
   state.shape = static_cast<swellray::SpectrumShape>(this->Shape);
   state.height = this->SignificantHeight;
   state.peakPeriod = this->PeakPeriod;
   state.peakedness = this->Peakedness;
-  state.depth = this->Depth;
+  state.depth = depth;
   state.gravity = this->Gravity;
   state.wind = this->Wind != 0.0 ? std::optional<double>(this->Wind) : std::nullopt;
   state.fetch = this->Fetch != 0.0 ? std::optional<double>(this->Fetch) : std::nullopt;
@@ -112,7 +113,7 @@ std::shared_ptr<const swellray::SeaSurface> vtkSwellSea::makeSurface() const
   options.sharpness = this->Sharpness;
   options.turbulence = this->Turbulence;
   options.tile = this->Tile ? std::optional<double>(this->Size) : std::nullopt;
-  options.depth = this->Depth;
+  options.depth = depth;
   options.gravity = this->Gravity;
   options.seed = static_cast<unsigned>(this->Seed);
   return std::make_shared<swellray::SeaSurface>(spectrum,

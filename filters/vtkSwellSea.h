@@ -112,7 +112,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth, the same everywhere, m; > 0, default infinity. */
+  /** Depth, the same everywhere, m; > 0, default infinity, for which 0 stands too. */
   vtkSetMacro(Depth, double);
   vtkGetMacro(Depth, double);
   ///@}

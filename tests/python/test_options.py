@@ -13,7 +13,8 @@ ELSEWHERE = {
     "trace": {"output", "crests", "breaker_line", "map", "stations", "table", "water_levels", "compress", "points",
               "map_spacing", "combine", "method", "dispersion", "node_spacing", "min_depth", "coast_reflection",
               "side_walls", "max_memory", "dry_run"},
-    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series"},
+    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series", "elevation_series",
+                 "duration", "interval", "seed"},
     "contour": {"output", "compress", "points"},
     "surface": {"output", "compress", "times", "spray", "at", "table"},
 }
