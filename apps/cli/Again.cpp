@@ -103,8 +103,9 @@ void moveOutputs(Request& request, const std::string& folder)
   {
     throw WorkError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
   }
-  for (std::string* path :
-    { &output.file, &output.crests, &output.breakerLine, &output.map, &output.table, &output.spectra })
+  SeaRequest& sea = request.sea;
+  for (std::string* path : { &output.file, &output.crests, &output.breakerLine, &output.map, &output.table,
+         &output.spectra, &output.elevations, &sea.heightImage, &sea.normalImage, &sea.picture })
   {
     if (!path->empty())
     {

@@ -3,6 +3,7 @@
 #include "Csv.h"
 #include "Failure.h"
 #include "OutputFile.h"
+#include "ShellWords.h"
 #include "Values.h"
 
 #include <fmt/format.h>
@@ -338,8 +339,9 @@ const std::string& caseValue(const std::vector<SweepAxis>& axes, std::size_t axi
   return axes[axis].values[index % axes[axis].values.size()];
 }
 
-void becomeCase(Request& request, const std::vector<SweepAxis>& axes, std::size_t index, std::vector<std::string> words)
+void becomeCase(Request& request, const std::vector<SweepAxis>& axes, std::size_t index)
 {
+  std::vector<std::string> words = splitWords(request.commandLine);
   std::string suffix;
   std::string levelSuffix; // rays that are kept depend on the water level alone of what may vary
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
@@ -367,23 +369,7 @@ void becomeCase(Request& request, const std::vector<SweepAxis>& axes, std::size_
     replaceValue(words, "--transfer", "", request.spectrum.transfer);
   }
   dropIdle(words);
-  request.commandLine = lineOf(words);
-}
-
-std::string lineOf(const std::vector<std::string>& words)
-{
-  std::string line;
-  for (const std::string& word : words)
-  {
-    const bool plain = !word.empty() && word.find_first_of(" \t\n'\"\\$&|;<>()*?[]{}#!`") == std::string::npos;
-    std::string escaped;
-    for (const char c : word)
-    {
-      escaped += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    line += (line.empty() ? "" : " ") + (plain ? word : "'" + escaped + "'");
-  }
-  return line;
+  request.commandLine = joinWords(words);
 }
 
 void runSweep(const Request& asked, const std::vector<Request>& cases,
