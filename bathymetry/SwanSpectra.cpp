@@ -1,4 +1,4 @@
-#include "bathymetry/SpectrumFile.h"
+#include "bathymetry/SpectrumFormats.h"
 
 #include "bathymetry/Text.h"
 #include "sim/Angles.h"
@@ -487,7 +487,7 @@ SpectrumFile SwanReader::read()
 
 }
 
-SpectrumFile readSpectra(const std::string& path)
+SpectrumFile readSwanSpectra(const std::string& path)
 {
   return SwanReader(path).read();
 }

@@ -25,6 +25,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -280,7 +281,8 @@ void runSpectrum(const Request& request, Console& console)
     {
       try
       {
-        writeSwanSpectra(spectraFile->temporary(), recordsOf(filter, places, scene),
+        const bool netcdf = std::filesystem::path(spectraFile->path()).extension() == ".nc";
+        (netcdf ? writeNetcdfSpectra : writeSwanSpectra)(spectraFile->temporary(), recordsOf(filter, places, scene),
           "Swellray " SWELLRAY_VERSION ": " + request.commandLine);
       }
       catch (const std::exception& error)
@@ -383,7 +385,9 @@ std::vector<OptionSpec> seaOptions(SpectrumRequest& sea)
   std::vector<OptionSpec> options = seaStateOptions(sea, group);
   add(options,
     { spreadOption(sea.spread, group),
-      text("--boundary", "FILE", "the sea of a spectral file (SWAN .bnd, .sp1, .sp2)", "", group, sea.boundary),
+      text("--boundary", "FILE",
+        "the sea of a spectral file: SWAN (.bnd, .sp1, .sp2), NetCDF (WAVEWATCH III), or a buoy of NDBC", "", group,
+        sea.boundary),
       text("--series", "FILE",
         "seas in time: .csv with time, hs, tp, direction, and spread if it varies, or a spectral file", "", group,
         sea.series) });
@@ -401,7 +405,8 @@ CommandSpec spectrumSpec(Request& request)
                      "--map", "the sea on a grid, .vti, .nc or .tif", request.output.map, { ".vti", ".nc", ".tif" }),
     text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
     outputFile("--table", "the sea at the stations, .csv", request.output.table, { ".csv" }),
-    outputFile("--spectra", "directional spectra at the stations, SWAN .sp2", request.output.spectra, { ".sp2" }),
+    outputFile("--spectra", "directional spectra at the stations, SWAN .sp2 or NetCDF .nc", request.output.spectra,
+      { ".sp2", ".nc" }),
     number("--map-spacing", "M", "distance of the nodes of the map, m", "2,500 nodes", "Output", request.map.spacing,
       PositiveMetres),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };

@@ -55,3 +55,10 @@ swellray_cli_test(spectrum_elevation_seed 0 "^same\nother\n$" ""
   "${elevation} 2>err; cp e.csv f.csv; ${elevation} 2>err; cmp e.csv f.csv && echo same; ${elevation} --seed 2 2>err; cmp -s e.csv f.csv || echo other")
 swellray_cli_test(spectrum_elevation_short 1 "" "elevation at station 1: a record of .* too short" "${spectrum} --quiet --stations $IN/points.csv --elevation-series e.csv --duration 10")
 swellray_cli_test(spectrum_elevation_samples 2 "" "it must be 2 to a million" "${spectrum} --stations $IN/points.csv --elevation-series e.csv --interval 1e-9" )
+
+# Spectra in other formats.
+swellray_cli_test(spectrum_netcdf 0 "wrote    s.nc.*Hs [0-9.]+ to [0-9.]+ m" ""
+  "${spectrum} --stations $IN/points.csv --spectra s.nc 2>err && $SWELLRAY spectrum plane --boundary s.nc --frequencies 4 --directions 16 --map m.vti --map-spacing 400 2>err")
+swellray_cli_test(spectrum_buoy 0 "offshore Hs 1.26 m, .* from 300 degrees" ""
+  "h='#YY MM DD hh mm .06 .10 .14'; t='2020 01 02 03 00'; for k in 'w 0 2.5 0' 'd 999 300 999' 'j 999 85 999' 'i 999 300 999' 'k 999 60 999'; do set -- $k; printf '%s\n%s %s %s %s\n' \"$h\" \"$t\" $2 $3 $4 > 1\${1}2020.txt; done; $SWELLRAY spectrum plane --boundary 1w2020.txt --frequencies 4 --directions 16 --map m.vti --map-spacing 400 2>err")
+swellray_cli_test(spectrum_buoy_alone 1 "" "has no directions" "printf '#YY MM DD hh mm .06 .10\n2020 01 02 03 00 1 1\n' > b.txt; $SWELLRAY spectrum plane --boundary b.txt --map m.vti --quiet")
