@@ -33,8 +33,7 @@ const std::string& caseValue(const std::vector<SweepAxis>& axes, std::size_t axi
 /**
  * Make a request that of one case: its outputs get names that tell it, and its command line is that of this case alone.
  */
-void becomeCase(
-  Request& request, const std::vector<SweepAxis>& axes, std::size_t index, std::vector<std::string> words);
+void becomeCase(Request& request, const std::vector<SweepAxis>& axes, std::size_t index);
 
 /**
  * Run cases one after the other. Those that a table beside the outputs (NAME.cases.csv) tells to be done, by their own command
