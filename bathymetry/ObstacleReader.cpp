@@ -2,11 +2,11 @@
 
 #include "bathymetry/QuietGdal.h"
 #include "bathymetry/Text.h"
+#include "bathymetry/VectorPlaces.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_2.h>
 
-#include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include <glm/common.hpp>
@@ -34,11 +34,6 @@ constexpr double Straight = 1e-6;
 
 constexpr const char* ReflectionProperty = "reflection";
 constexpr const char* SlopeProperty = "slope";
-
-struct CloseDataset
-{
-  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
-};
 
 double distanceToLine(const glm::dvec2& p, const glm::dvec2& a, const glm::dvec2& b)
 {
@@ -105,7 +100,7 @@ public:
   {
     for (OGRLayer* layer : dataset.GetLayers())
     {
-      this->prepare(*layer);
+      this->Place.enter(*layer);
       for (const auto& feature : *layer)
       {
         this->addFeature(*feature);
@@ -140,7 +135,7 @@ public:
     note(this->Outside, " obstacles lie outside of the scene");
     note(this->Crossed, " rings of obstacles cross themselves: land is where they wind around");
     note(this->Empty, " obstacles have no size");
-    if (this->Unplaced)
+    if (this->Place.unplaced())
     {
       this->File.notes.emplace_back(
         "no CRS on both sides: the obstacles are taken in the coordinates of the scene's file");
@@ -149,32 +144,6 @@ public:
   }
 
 private:
-  void prepare(OGRLayer& layer)
-  {
-    this->Transformation.reset();
-    const OGRSpatialReference* own = layer.GetSpatialRef();
-    if (!own || this->Place.crs().empty())
-    {
-      this->Unplaced = true;
-      return;
-    }
-    OGRSpatialReference from(*own);
-    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    OGRSpatialReference to;
-    to.importFromWkt(this->Place.crs().c_str());
-    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    if (from.IsSame(&to))
-    {
-      return;
-    }
-    this->Transformation.reset(OGRCreateCoordinateTransformation(&from, &to));
-    if (!this->Transformation)
-    {
-      throw std::runtime_error(
-        "no way from its CRS to '" + this->Place.crsName() + "': " + QuietGdal::lastError("no reason given"));
-    }
-  }
-
   // A property from 0 to `most`; none where the feature has none.
   static std::optional<double> numberOf(
     const OGRFeature& feature, const char* property, double most, const std::string& range)
@@ -239,35 +208,10 @@ private:
     }
   }
 
-  std::vector<glm::dvec2> metresOf(const OGRLineString& line)
-  {
-    const auto count = static_cast<std::size_t>(line.getNumPoints());
-    std::vector<glm::dvec2> points(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      points[i] = { line.getX(static_cast<int>(i)), line.getY(static_cast<int>(i)) };
-      double x = points[i].x;
-      double y = points[i].y;
-      if (this->Transformation && !this->Transformation->Transform(1, &x, &y))
-      {
-        throw std::runtime_error("the point " + text(points[i].x) + ", " + text(points[i].y) +
-          " has no place in CRS '" + this->Place.crsName() + "'");
-      }
-      if (!std::isfinite(x) || !std::isfinite(y) ||
-        (this->Place.kind() == GeoreferenceKind::Geographic && !(std::abs(y) <= 90.0)))
-      {
-        throw std::runtime_error("the point " + text(points[i].x) + ", " + text(points[i].y) + " lies nowhere" +
-          (this->Place.kind() == GeoreferenceKind::Geographic ? ": the scene is in degrees" : ""));
-      }
-      points[i] = this->Place.fromFile({ x, y });
-    }
-    return points;
-  }
-
   void addLine(const OGRLineString& line)
   {
     ++this->Shapes;
-    const std::vector<glm::dvec2> points = cleaned(this->metresOf(line), false);
+    const std::vector<glm::dvec2> points = cleaned(this->Place.metresOf(line), false);
     if (points.size() < 2)
     {
       ++this->Empty;
@@ -288,7 +232,7 @@ private:
     bool outer = true;
     for (const OGRLinearRing* line : polygon)
     {
-      const std::vector<glm::dvec2> points = cleaned(this->metresOf(*line), true);
+      const std::vector<glm::dvec2> points = cleaned(this->Place.metresOf(*line), true);
       Ring ring;
       for (const glm::dvec2& point : points)
       {
@@ -332,19 +276,17 @@ private:
     }
   }
 
-  const Georeference& Place;
+  VectorPlaces Place;
   Rectangle Scene;
   double Standard;
   double Reflection = 0.0;
   double Slope = 0.0;
-  std::unique_ptr<OGRCoordinateTransformation> Transformation;
   ObstacleFile File;
   std::size_t Shapes = 0;
   std::size_t Points = 0;
   std::size_t Outside = 0;
   std::size_t Crossed = 0;
   std::size_t Empty = 0;
-  bool Unplaced = false;
 };
 
 }
@@ -359,14 +301,7 @@ ObstacleFile readObstacles(
   const QuietGdal quiet;
   try
   {
-    const std::unique_ptr<GDALDataset, CloseDataset> dataset(
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
-    if (!dataset)
-    {
-      throw std::runtime_error("no such file, or no polygons and lines in it (GeoJSON, GeoPackage, Shapefile, ...): " +
-        QuietGdal::lastError("no reason given"));
-    }
-    QuietGdal::forget();
+    const VectorDataset dataset = openVectors(path);
     Reader reader(georeference, scene, reflection);
     reader.read(*dataset);
     return reader.finish();

@@ -9,6 +9,7 @@
 #include "RayArrays.h"
 #include "SeafloorField.h"
 #include "bathymetry/GeodesicSource.h"
+#include "sim/Angles.h"
 #include "sim/EllipsoidMercator.h"
 #include "sim/PointSource.h"
 #include "sim/RayQuantities.h"
@@ -116,6 +117,52 @@ void setCells(vtkPolyData* output, const swellray::RayField& field)
   }
 }
 
+void takeLaunch(vtkPolyData* launch, swellray::TraceOptions& options)
+{
+  if (!launch)
+  {
+    return;
+  }
+  const auto placeOf = [launch](vtkIdType id)
+  {
+    double p[3];
+    launch->GetPoint(id, p);
+    return glm::dvec2(p[0], p[1]);
+  };
+  for (vtkIdType line = 0; line < launch->GetNumberOfLines(); ++line)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    launch->GetLines()->GetCellAtId(line, count, ids);
+    std::vector<glm::dvec2> points;
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      points.push_back(placeOf(ids[i]));
+    }
+    options.launchLines.push_back(points);
+  }
+  if (!options.launchLines.empty())
+  {
+    return;
+  }
+  vtkDataArray* directions = launch->GetPointData()->GetArray("DirectionFrom");
+  for (vtkIdType i = 0; i < launch->GetNumberOfPoints(); ++i)
+  {
+    swellray::LaunchPlace place;
+    place.position = placeOf(i);
+    const double from = directions ? directions->GetComponent(i, 0) : std::numeric_limits<double>::quiet_NaN();
+    if (!std::isnan(from))
+    {
+      place.heading = swellray::headingFromNautical(from);
+    }
+    options.launchPlaces.push_back(place);
+  }
+  if (options.launchPlaces.empty())
+  {
+    throw std::invalid_argument("input 1 has neither launch lines nor launch points");
+  }
+}
+
 void setReflections(vtkPolyData* output, const swellray::RayField& field)
 {
   const auto n = static_cast<vtkIdType>(field.rays.size());
@@ -165,6 +212,7 @@ vtkSwellRayTracer::vtkSwellRayTracer()
   , Water(std::make_unique<swellray::CurrentField>())
   , Walls(std::make_unique<swellray::ObstacleField>())
 {
+  this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
 }
 
@@ -174,9 +222,10 @@ vtkSwellRayTracer::~vtkSwellRayTracer()
   delete[] this->Obstacles;
 }
 
-int vtkSwellRayTracer::FillInputPortInformation(int, vtkInformation* info)
+int vtkSwellRayTracer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkImageData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkImageData" : "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), port == 0 ? 0 : 1);
   return 1;
 }
 
@@ -266,6 +315,7 @@ int vtkSwellRayTracer::RequestData(
     options.map = place.mercator().get();
     const std::unique_ptr<const swellray::WaveSource> source = this->makeSource(place);
     options.source = source.get();
+    takeLaunch(vtkPolyData::GetData(inputVector[1]), options);
     options.validate();
     const swellray::RayField field =
       swellray::traceWaves(*seafloor, wave, options, swellray::makeExecution(this, 0.0, TracingShare));
@@ -274,6 +324,10 @@ int vtkSwellRayTracer::RequestData(
     setPoints(output, field, wave, this->WaterLevel, current != nullptr, options.map, swellray::makeExecution(this));
     setCells(output, field);
     setFields(output, field, wave, this->WaterLevel);
+    if (!options.launchPlaces.empty())
+    {
+      swellray::setFieldInteger(output, "LaunchPoints", static_cast<int>(options.launchPlaces.size()));
+    }
     if (obstacles)
     {
       setReflections(output, field);

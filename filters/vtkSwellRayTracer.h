@@ -30,6 +30,10 @@ class WaveSource;
  * (vtkSwellSeafloorReader), rays are traced there: points are in the metres of its Mercator map, all other lengths true
  * ones, directions true ones anyhow.
  *
+ * Input 1, optional: vtkPolyData, where rays start in place of the edges of the scene, m, in its plane. Its lines are launch lines,
+ * with rays at equal parts of the incident crest; without lines its points are launch points, a ray each, with the direction of the
+ * point array DirectionFrom (1, nautical degrees, of the wave at the point; NaN or no array: of the incident wave).
+ *
  * Output: one poly-line a ray, also for rays of a single point, its points on the still-water level. Point arrays,
  * double with one component unless said:
  * - Depth (m), Phase (rad), TravelTime (s), Wavenumber (rad/m), Wavelength (m)
@@ -53,7 +57,7 @@ class WaveSource;
  * reflected ray is a cell of its own; its ParentRay is the one that the wall stopped.
  *
  * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees; from a source where the wave first meets the scene),
- * SourceDistance (m, from the source to there), WaveHeight (m, incident),
+ * SourceDistance (m, from the source to there), LaunchPoints (int, where rays start from points; LaunchParameter then counts them), WaveHeight (m, incident),
  * OffshoreDepth (m, infinite: deep), Gravity (m/s2), WaterLevel (m), LaunchSpacing, MaxSpacing, LaunchWidth (m: as
  * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest
  * | |k|/k(h) - 1 | on a ray, with a current | (sigma + k.U)/omega - 1 |) and
@@ -294,6 +298,9 @@ public:
   vtkGetMacro(LongitudeLatitude, vtkTypeBool);
   vtkBooleanMacro(LongitudeLatitude, vtkTypeBool);
   ///@}
+
+  /** Connect launch lines or points. */
+  void SetLaunchConnection(vtkAlgorithmOutput* launch) { this->SetInputConnection(1, launch); }
 
   ///@{
   /** Cap on the number of rays, inserted ones included; > 0, default 200,000. */

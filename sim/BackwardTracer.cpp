@@ -99,6 +99,7 @@ BackwardTracer::BackwardTracer(const Seafloor& seafloor, const BackwardOptions& 
   }
   if (options.current)
   {
+    requireCover(*options.current, seafloor.bounds());
     this->Reversed = std::make_unique<ReversedCurrent>(*options.current);
   }
 }
@@ -152,6 +153,38 @@ std::optional<glm::dvec2> BackwardTracer::normalAt(const glm::dvec2& edge) const
 
 WaveOrigin BackwardTracer::trace(const glm::dvec2& place, double frequency, double heading) const
 {
+  return this->follow(place, frequency, heading, ReadingsPerWave, nullptr);
+}
+
+WaveOrigin BackwardTracer::trace(
+  const glm::dvec2& place, double frequency, double heading, double stepsPerWave, std::vector<RayPoint>& way) const
+{
+  way.clear();
+  const WaveOrigin origin = this->follow(place, frequency, heading, stepsPerWave, &way);
+  if (way.empty())
+  {
+    return origin;
+  }
+  std::reverse(way.begin(), way.end());
+  const double phase = way.front().phase;
+  const double time = way.front().travelTime;
+  for (RayPoint& point : way)
+  {
+    point.wavenumber = -point.wavenumber;
+    point.rayDirection = -point.rayDirection;
+    point.current = -point.current;
+    point.phase = phase - point.phase;
+    point.travelTime = time - point.travelTime;
+    point.tubeWidth = point.spacingWidth = std::numeric_limits<double>::quiet_NaN();
+    point.caustics = 0;
+    point.front = BetweenFronts;
+  }
+  return origin;
+}
+
+WaveOrigin BackwardTracer::follow(
+  const glm::dvec2& place, double frequency, double heading, double stepsPerWave, std::vector<RayPoint>* way) const
+{
   WaveOrigin origin;
   const double omega = 2.0 * Pi * frequency;
   const double gravity = this->Options.gravity;
@@ -160,6 +193,12 @@ WaveOrigin BackwardTracer::trace(const glm::dvec2& place, double frequency, doub
   origin.reason = std::isnan(depthHere) ? EndReason::EnteredHole : EndReason::Aground;
   if (!(depthHere >= this->Options.agroundDepth))
   {
+    return origin;
+  }
+  const Obstacles* obstacles = this->Options.obstacles;
+  if (obstacles && obstacles->inside(place))
+  {
+    origin.reason = EndReason::StoppedByObstacle;
     return origin;
   }
   const glm::dvec2 direction(std::cos(heading), std::sin(heading));
@@ -187,13 +226,14 @@ WaveOrigin BackwardTracer::trace(const glm::dvec2& place, double frequency, doub
   medium.angularFrequency = omega;
   medium.agroundDepth = this->Options.agroundDepth;
   medium.current = this->Reversed.get();
+  medium.obstacles = obstacles && !obstacles->empty() ? obstacles : nullptr;
   RayStart start;
   start.position = place;
   start.wavenumber = -k * direction; // and no tube: its derivatives stay 0
   HamiltonianRay ray(medium, start, this->Options.tolerance, this->Options.maxSteps);
   RayPoint point;
   double decay = 0.0;
-  if (this->Options.friction > 0.0)
+  if (this->Options.friction > 0.0 || way)
   {
     const auto rate = [&](double kHere, double h)
     {
@@ -205,13 +245,17 @@ WaveOrigin BackwardTracer::trace(const glm::dvec2& place, double frequency, doub
     };
     double before = rate(k, depthHere);
     double time = 0.0;
-    for (double phase = 2.0 * Pi / ReadingsPerWave; !ray.ended(); phase += 2.0 * Pi / ReadingsPerWave)
+    for (std::size_t i = way ? 0 : 1; !ray.ended(); ++i)
     {
-      ray.advance(FrontMeasure::Phase, phase, point);
+      ray.advance(FrontMeasure::Phase, 2.0 * Pi / stepsPerWave * static_cast<double>(i), point);
       const double here = rate(glm::length(point.wavenumber), point.depth);
       decay += 0.5 * (before + here) * (point.travelTime - time);
       before = here;
       time = point.travelTime;
+      if (way)
+      {
+        way->push_back(point);
+      }
     }
   }
   else

@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace swellray
 {
@@ -26,10 +27,11 @@ struct BackwardOptions
   double agroundDepth = 0.1;                                      ///< a ray ends where it is shallower, m, > 0
   double offshoreDepth = std::numeric_limits<double>::infinity(); ///< depth in which offshore waves are given, m
   EdgeRule edge = EdgeRule::Contours;
-  std::optional<double> shoreNormal; ///< nautical degrees, seaward normal of the contours
-  const Current* current = nullptr;  ///< must outlive the tracer; none: still water
-  double friction = 0.0;             ///< m2/s3, >= 0; 0: none
-  std::size_t maxSteps = 100000;     ///< of a ray: it is taken to come from nowhere then
+  std::optional<double> shoreNormal;    ///< nautical degrees, seaward normal of the contours
+  const Current* current = nullptr;     ///< must outlive the tracer; none: still water
+  const Obstacles* obstacles = nullptr; ///< must outlive the tracer; none: nothing stands in the water
+  double friction = 0.0;                ///< m2/s3, >= 0; 0: none
+  std::size_t maxSteps = 100000;        ///< of a ray: it is taken to come from nowhere then
 
   /** @throws std::invalid_argument naming what is out of range */
   void validate() const;
@@ -65,7 +67,7 @@ struct WaveOrigin
 class BackwardTracer
 {
 public:
-  /** @throws std::invalid_argument */
+  /** @throws std::invalid_argument; std::runtime_error where the current does not cover the seafloor */
   BackwardTracer(const Seafloor& seafloor, const BackwardOptions& options);
   ~BackwardTracer();
 
@@ -78,7 +80,17 @@ public:
    */
   WaveOrigin trace(const glm::dvec2& place, double frequency, double heading) const;
 
+  /**
+   * The same, with the way of the wave in its own sense: from where it came in (or where its ray, followed back, ended) to the place.
+   * Phase and time count from there; tubes have no width. Empty where no wave can be at the place.
+   * @param stepsPerWave points a wavelength, > 0
+   */
+  WaveOrigin trace(
+    const glm::dvec2& place, double frequency, double heading, double stepsPerWave, std::vector<RayPoint>& way) const;
+
 private:
+  WaveOrigin follow(
+    const glm::dvec2& place, double frequency, double heading, double stepsPerWave, std::vector<RayPoint>* way) const;
   std::optional<glm::dvec2> normalAt(const glm::dvec2& edge) const;
   bool leavesData(const glm::dvec2& place) const;
 

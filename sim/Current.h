@@ -53,4 +53,10 @@ public:
   }
 };
 
+/**
+ * Nothing is known of the water beyond a current's data, least of all that it stands still.
+ * @throws std::runtime_error where the current does not cover the scene
+ */
+void requireCover(const Current& current, const Rectangle& scene);
+
 }

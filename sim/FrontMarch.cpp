@@ -1,17 +1,14 @@
 #include "sim/FrontMarch.h"
 
 #include "sim/Angles.h"
-#include "sim/CausticRates.h"
 #include "sim/Dispersion.h"
 #include "sim/HamiltonianRay.h"
-#include "sim/RayQuantities.h"
 #include "sim/SnellRay.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace swellray
 {
@@ -27,17 +24,9 @@ constexpr double MostRays = 2000.0;
 constexpr double UsualStepsPerWave = 8.0;
 constexpr double MostLaunchedPoints = 1.5e6;
 
-// Share of the incident height below which a wave is flat.
-constexpr double FlatShare = 0.1;
-
-// Cells a wavelength below which a grid is too coarse for the wave.
-constexpr double FewestCells = 5.0;
-
 // Cosine of the turn from the incident direction (120 degrees) at which a walk along the shore ends: a crest does not
 // wrap around an island for ever.
 constexpr double LargestTurn = -0.5;
-
-constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 }
 
@@ -51,7 +40,11 @@ FrontMarch::FrontMarch(const RayMedium& medium, const IncidentWave& wave, const 
 {
   const double wavelength = 2.0 * Pi / wave.wavenumber();
   const double width = line.length();
-  if (options.spacing)
+  if (line.raySpacing())
+  {
+    this->Spacing = *line.raySpacing();
+  }
+  else if (options.spacing)
   {
     this->Spacing = *options.spacing;
   }
@@ -264,36 +257,6 @@ void FrontMarch::walkOn(Ray& ray, double target) const
   ray.place.travelTime += distance / ray.walk.groupSpeed();
 }
 
-void FrontMarch::record(std::uint32_t index, bool withPlace)
-{
-  Ray& ray = this->Rays[index];
-  std::vector<Record>& records = this->Records.back();
-  for (int i = 0; i < ray.betweenCount; ++i)
-  {
-    records.push_back({ index, ray.between[i] });
-  }
-  ray.betweenCount = 0;
-  if (withPlace)
-  {
-    ray.place.state = ray.state;
-    records.push_back({ index, ray.place });
-    ++this->Points;
-  }
-}
-
-void FrontMarch::retire(std::uint32_t index)
-{
-  Ray& ray = this->Rays[index];
-  ray.info.finalState = ray.state;
-  if (ray.path)
-  {
-    ray.info.dispersionError = ray.path->dispersionError();
-    ray.caustics = ray.info.lee ? std::vector<RayCaustic>() : ray.path->caustics();
-    this->Evaluations += ray.path->evaluations();
-    ray.path.reset();
-  }
-}
-
 void FrontMarch::settleEnded()
 {
   std::vector<Standing> kept;
@@ -382,132 +345,6 @@ void FrontMarch::settleShore()
   this->Order.swap(kept);
 }
 
-const FrontMarch::Ray* FrontMarch::neighbour(std::size_t at, int step, const Ray& self) const
-{
-  const bool linked = step > 0 ? this->Order[at].linked : at > 0 && this->Order[at - 1].linked;
-  if (!linked || this->Order[step > 0 ? at : at - 1].blocked)
-  {
-    return nullptr;
-  }
-  const Ray& other = this->standing(step > 0 ? at + 1 : at - 1);
-  // A refracted ray's tube is bounded by refracted rays; a lee ray shares the tube of whatever stands beside it.
-  const bool shares = self.info.lee || (!other.info.lee && isOnWater(other.state));
-  return shares && !other.waiting ? &other : nullptr;
-}
-
-double FrontMarch::spacingWidth(std::size_t at) const
-{
-  const Ray& self = this->standing(at);
-  const Ray* left = this->neighbour(at, -1, self);
-  const Ray* right = this->neighbour(at, 1, self);
-  const glm::dvec2 x = self.place.position;
-  const double lambda = self.info.launchParameter;
-  if (self.info.lee)
-  {
-    const double from = left ? left->info.launchParameter : lambda;
-    const double to = right ? right->info.launchParameter : lambda;
-    const double front =
-      (left ? this->distance(left->place, self.place) : 0.0) + (right ? this->distance(right->place, self.place) : 0.0);
-    return to > from ? front / (to - from) : NotANumber;
-  }
-
-  // Derivative of the position by lambda along the front, of second order at unequal distances.
-  const auto second = [&](const Ray* near, int step, std::size_t place) -> const Ray*
-  { return near ? this->neighbour(place, step, *near) : nullptr; };
-  const Ray* a = left;
-  const Ray* b = right;
-  if (!a)
-  {
-    a = second(right, 1, at + 1);
-  }
-  else if (!b)
-  {
-    b = a;
-    a = second(left, -1, at - 1);
-  }
-  glm::dvec2 derivative(0.0);
-  if (a && b)
-  {
-    const double ha = a->info.launchParameter - lambda;
-    const double hb = b->info.launchParameter - lambda;
-    if (ha == 0.0 || hb == 0.0 || ha == hb)
-    {
-      return NotANumber;
-    }
-    derivative = (ha * ha * (b->place.position - x) - hb * hb * (a->place.position - x)) / (ha * hb * (ha - hb));
-  }
-  else if (const Ray* only = a ? a : b)
-  {
-    derivative = (only->place.position - x) / (only->info.launchParameter - lambda);
-  }
-  else
-  {
-    return NotANumber;
-  }
-  const glm::dvec2 ray = self.place.rayDirection;
-  return std::abs(ray.x * derivative.y - ray.y * derivative.x) / this->Medium.scale(x);
-}
-
-void FrontMarch::measureSpacing()
-{
-  std::vector<double> width(this->Order.size(), NotANumber);
-  this->Run.forRange(this->Order.size(),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const Ray& ray = this->standing(i);
-        if (!ray.waiting && isOnWater(ray.state))
-        {
-          width[i] = this->spacingWidth(i);
-        }
-      }
-    });
-  for (std::size_t i = 0; i < this->Order.size(); ++i)
-  {
-    Ray& ray = this->standing(i);
-    // An aground ray keeps the width it grounded with; a launch point has the exact one.
-    if (!ray.waiting && isOnWater(ray.state) && !ray.launching)
-    {
-      ray.place.spacingWidth = width[i];
-    }
-  }
-}
-
-void FrontMarch::markFlat()
-{
-  const double flatHeight = this->Options.flatHeight.value_or(FlatShare * this->Wave.height);
-  for (std::size_t i = 0; i < this->Order.size(); ++i)
-  {
-    Ray& ray = this->standing(i);
-    if (ray.waiting || !isOnWater(ray.state))
-    {
-      continue;
-    }
-    ray.state = this->heightOf(ray) < flatHeight ? RayState::Flat : RayState::Alive;
-  }
-}
-
-double FrontMarch::heightOf(const Ray& ray) const
-{
-  const RayPoint& place = ray.place;
-  const double width = std::isfinite(place.spacingWidth) ? place.spacingWidth : std::abs(place.tubeWidth);
-  const WaveSpeeds speeds = waveSpeeds(glm::length(place.wavenumber), place.depth, this->Medium.gravity);
-  return this->Wave.height * ray.info.reflection * refractionCoefficient(width) *
-    shoalingCoefficient(place, speeds, this->Wave.groupSpeed(), this->Medium.angularFrequency);
-}
-
-void FrontMarch::recordFront()
-{
-  for (const Standing& standing : this->Order)
-  {
-    if (!this->Rays[standing.ray].waiting)
-    {
-      this->record(standing.ray, true);
-    }
-  }
-}
-
 bool FrontMarch::anyOnWater() const
 {
   return std::any_of(this->Order.begin(), this->Order.end(),
@@ -528,77 +365,6 @@ void FrontMarch::finishRemaining(EndReason reason)
       ray.info.endReason = reason;
     }
   }
-}
-
-RayField FrontMarch::collect()
-{
-  this->splitMirrors();
-  for (const Standing& standing : this->Order)
-  {
-    // A ray the march did not come to has its launch point.
-    if (this->Rays[standing.ray].waiting)
-    {
-      this->Records.emplace_back();
-      this->record(standing.ray, false);
-    }
-    this->retire(standing.ray);
-  }
-
-  RayField field;
-  field.fronts = this->Front;
-  field.spacing = this->Spacing;
-  field.maxSpacing = this->MaxSpacing;
-  field.stepsPerWave = this->StepsPerWave;
-  field.launchWidth = this->Line.length();
-  field.rayCapReached = this->RayCapReached;
-  field.stepCapReached = this->StepCapReached;
-  field.cancelled = this->Cancelled;
-  field.evaluations = this->Evaluations;
-  field.rays.reserve(this->Rays.size());
-  for (Ray& ray : this->Rays)
-  {
-    field.stepCapReached = field.stepCapReached || ray.info.endReason == EndReason::StepCap;
-    field.rays.push_back(ray.info);
-    for (RayCaustic& caustic : ray.caustics)
-    {
-      caustic.ray = static_cast<std::int32_t>(field.rays.size()) - 1;
-      field.caustics.push_back(caustic);
-    }
-  }
-  findCausticRates(field);
-  this->Rays.clear();
-
-  std::vector<std::size_t> next(field.rays.size() + 1, 0);
-  for (const std::vector<Record>& records : this->Records)
-  {
-    for (const Record& record : records)
-    {
-      ++next[record.ray + 1];
-    }
-  }
-  for (std::size_t i = 1; i < next.size(); ++i)
-  {
-    next[i] += next[i - 1];
-  }
-  field.offsets = next;
-  field.points.resize(next.back());
-  const double cell = this->Medium.seafloor->cellSize();
-  for (std::vector<Record>& records : this->Records)
-  {
-    for (const Record& record : records)
-    {
-      const RayPoint& point = record.point;
-      const double k = glm::length(point.wavenumber);
-      if (cell > 0.0 && k * point.depth < Pi && point.depth > 2.0 * this->Wave.height)
-      {
-        ++field.refractingPoints;
-        field.coarsePoints += 2.0 * Pi / k < FewestCells * cell ? 1 : 0;
-      }
-      field.points[next[record.ray]++] = point;
-    }
-    std::vector<Record>().swap(records);
-  }
-  return field;
 }
 
 }

@@ -11,6 +11,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace swellray
@@ -96,88 +97,198 @@ LaunchLine::LaunchLine(
     this->ContourNormal = swellray::contourNormal(seafloor, waterLevel, options.shoreNormal);
   }
 
-  const std::vector<glm::dvec2> corners = seafloor.outline();
-  // Begin at the corner that the wave leaves the scene by, so that the edges it comes in by follow each other.
-  const auto way = [&](const glm::dvec2& corner)
+  if (!options.places.empty())
   {
-    if (!options.source)
-    {
-      return glm::dot(corner, wave.direction());
-    }
-    SourceSample sample;
-    options.source->evaluate(corner, sample);
-    requireSource(sample);
-    return sample.distance;
-  };
-  std::size_t first = 0;
-  for (std::size_t i = 1; i < corners.size(); ++i)
+    this->standPlaces();
+    return;
+  }
+  const std::vector<std::vector<glm::dvec2>> chains = this->chains();
+  for (const std::vector<glm::dvec2>& chain : chains)
   {
-    if (way(corners[i]) > way(corners[first]))
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
     {
-      first = i;
+      this->Perimeter += glm::length(chain[i + 1] - chain[i]);
     }
   }
-  for (std::size_t i = 0; i < corners.size(); ++i)
-  {
-    this->Perimeter += glm::length(corners[(i + 1) % corners.size()] - corners[i]);
-  }
-  bool open = false;
   int segment = -1;
-  for (std::size_t i = 0; i < corners.size(); ++i)
+  for (std::size_t chain = 0; chain < chains.size(); ++chain)
   {
-    const glm::dvec2 from = corners[(first + i) % corners.size()];
-    const glm::dvec2 to = corners[(first + i + 1) % corners.size()];
-    Side side;
-    side.corner = from;
-    side.length = glm::length(to - from);
-    if (!(side.length > 0.0))
+    bool open = false;
+    for (std::size_t i = 0; i + 1 < chains[chain].size(); ++i)
     {
-      continue;
+      const glm::dvec2 from = chains[chain][i];
+      const glm::dvec2 way = chains[chain][i + 1] - from;
+      Side side;
+      side.corner = from;
+      side.length = glm::length(way);
+      side.chain = static_cast<int>(chain);
+      if (!(side.length > 0.0))
+      {
+        continue;
+      }
+      side.along = way / side.length;
+      side.inward = -leftOf(side.along);
+      this->Sides.push_back(side);
+      this->walk(side, static_cast<int>(this->Sides.size()) - 1, open, segment);
     }
-    side.along = (to - from) / side.length;
-    side.inward = -leftOf(side.along);
-    this->Sides.push_back(side);
-    this->walk(side, static_cast<int>(this->Sides.size()) - 1, open, segment);
   }
-
   this->Stretches.erase(
     std::remove_if(this->Stretches.begin(), this->Stretches.end(), [](const Stretch& s) { return !(s.width > 0.0); }),
     this->Stretches.end());
-  this->findReference();
+  this->findReferences();
 }
 
-void LaunchLine::findReference()
+std::vector<std::vector<glm::dvec2>> LaunchLine::chains() const
 {
-  const auto ends = [](const Stretch& stretch) { return std::min(stretch.phase, stretch.phase + stretch.rise); };
-  const auto earliest = std::min_element(this->Stretches.begin(), this->Stretches.end(),
-    [&](const Stretch& a, const Stretch& b) { return ends(a) < ends(b); });
-  if (earliest == this->Stretches.end())
+  const auto sampleAt = [&](const glm::dvec2& place)
   {
-    return;
-  }
-  const double first = ends(*earliest);
-  if (this->Options.source)
-  {
-    const Side& side = this->Sides[earliest->side];
-    const glm::dvec2 place = side.corner + (earliest->rise < 0.0 ? earliest->to : earliest->from) * side.along;
     SourceSample sample;
     this->Options.source->evaluate(place, sample);
-    this->ReferenceWidth = sample.width;
-    this->SourceDistance = sample.distance;
-    this->DirectionFrom = nauticalFromVector({ std::cos(sample.heading), std::sin(sample.heading) });
-    this->Length *= sample.width;
+    requireSource(sample);
+    return sample;
+  };
+  if (this->Options.lines.empty())
+  {
+    // Begin at the corner that the wave leaves the scene by, so that the edges it comes in by follow each other.
+    std::vector<glm::dvec2> outline = this->Floor->outline();
+    const auto further = [&](const glm::dvec2& a, const glm::dvec2& b)
+    {
+      return this->Options.source ? sampleAt(a).distance > sampleAt(b).distance
+                                  : glm::dot(a - b, this->Wave.direction()) > 0.0;
+    };
+    auto first = outline.begin();
+    for (auto corner = outline.begin() + 1; corner != outline.end(); ++corner)
+    {
+      first = further(*corner, *first) ? corner : first;
+    }
+    std::rotate(outline.begin(), first, outline.end());
+    outline.push_back(outline.front());
+    return { outline };
+  }
+  std::vector<std::vector<glm::dvec2>> chains = this->Options.lines;
+  for (std::vector<glm::dvec2>& chain : chains)
+  {
+    double rightward = 0.0;
+    for (std::size_t i = 0; i < chain.size(); ++i)
+    {
+      if (!this->Floor->bounds().contains(chain[i]))
+      {
+        throw std::runtime_error("a launch line leaves the scene: it must lie within");
+      }
+      if (i > 0)
+      {
+        const glm::dvec2 middle = 0.5 * (chain[i - 1] + chain[i]);
+        const double heading =
+          this->Options.source ? sampleAt(middle).heading : headingFromNautical(this->Wave.directionFrom);
+        const glm::dvec2 way = chain[i] - chain[i - 1];
+        rightward += way.y * std::cos(heading) - way.x * std::sin(heading);
+      }
+    }
+    if (rightward < 0.0)
+    {
+      std::reverse(chain.begin(), chain.end());
+    }
+  }
+  return chains;
+}
+
+void LaunchLine::takeReference(const SourceSample& sample)
+{
+  this->ReferenceWidth = sample.width;
+  this->SourceDistance = sample.distance;
+  this->DirectionFrom = nauticalFromVector({ std::cos(sample.heading), std::sin(sample.heading) });
+}
+
+void LaunchLine::findReferences()
+{
+  const auto ends = [](const Stretch& stretch) { return std::min(stretch.phase, stretch.phase + stretch.rise); };
+  for (auto begin = this->Stretches.begin(); begin != this->Stretches.end();)
+  {
+    const int chain = this->Sides[begin->side].chain;
+    const auto end = std::find_if(
+      begin, this->Stretches.end(), [&](const Stretch& stretch) { return this->Sides[stretch.side].chain != chain; });
+    const auto earliest =
+      std::min_element(begin, end, [&](const Stretch& a, const Stretch& b) { return ends(a) < ends(b); });
+    if (this->Options.source)
+    {
+      const Side& side = this->Sides[earliest->side];
+      SourceSample sample;
+      this->Options.source->evaluate(
+        side.corner + (earliest->rise < 0.0 ? earliest->to : earliest->from) * side.along, sample);
+      if (!this->SourceDistance || sample.distance < *this->SourceDistance)
+      {
+        this->takeReference(sample);
+      }
+    }
+    const double first = ends(*earliest);
+    for (; begin != end; ++begin)
+    {
+      begin->phase -= first;
+    }
   }
   for (Stretch& stretch : this->Stretches)
   {
-    stretch.phase -= first;
     stretch.lambda *= this->ReferenceWidth;
     stretch.width *= this->ReferenceWidth;
   }
+  this->Length *= this->ReferenceWidth;
+}
+
+void LaunchLine::standPlaces()
+{
+  for (const LaunchPlace& place : this->Options.places)
+  {
+    if (this->Options.source)
+    {
+      SourceSample sample;
+      this->Options.source->evaluate(place.position, sample);
+      requireSource(sample);
+      if (!this->SourceDistance || sample.distance < *this->SourceDistance)
+      {
+        this->takeReference(sample);
+      }
+    }
+  }
+  for (const LaunchPlace& place : this->Options.places)
+  {
+    Side side;
+    side.corner = place.position;
+    side.heading = place.heading;
+    const Offshore offshore = this->offshoreAt(side, 0.0);
+    side.inward = offshore.direction;
+    side.along = leftOf(side.inward);
+    if (this->Floor->bounds().contains(place.position))
+    {
+      const glm::dvec2 k = this->edgeWave(side, 0.0).wavenumber;
+      side.inward = glm::length(k) > 0.0 ? glm::normalize(k) : side.inward;
+      side.along = leftOf(side.inward);
+    }
+    this->Sides.push_back(side);
+    if (!this->Floor->bounds().contains(place.position) || !this->edgeWave(side, 0.0).enters)
+    {
+      std::ostringstream message;
+      message << "no wave can start from launch point " << this->Sides.size() << ", at x " << place.position.x << ", y "
+              << place.position.y << " m: it must lie within the scene, in water deeper than " << this->Aground
+              << " m, where the wave can come to";
+      throw std::runtime_error(message.str());
+    }
+  }
+  this->Length = static_cast<double>(this->Sides.size());
+}
+
+std::optional<double> LaunchLine::raySpacing() const
+{
+  return this->Options.places.empty() ? std::nullopt : std::optional<double>(1.0);
 }
 
 LaunchLine::Offshore LaunchLine::offshoreAt(const Side& side, double l) const
 {
   Offshore wave;
+  if (side.heading)
+  {
+    wave.direction = { std::cos(*side.heading), std::sin(*side.heading) };
+    return wave;
+  }
   if (!this->Options.source)
   {
     wave.direction = this->Wave.direction();
@@ -225,8 +336,9 @@ LaunchLine::EdgeWave LaunchLine::edgeWave(const Side& side, double l) const
   glm::dvec2 along = t0;
   double across = 0.0;
   EdgeWave wave;
-  const std::optional<glm::dvec2> normal =
-    this->Options.rule == EdgeRule::Edge ? std::optional<glm::dvec2>(side.inward) : this->ContourNormal;
+  const std::optional<glm::dvec2> normal = side.heading ? std::nullopt
+    : this->Options.rule == EdgeRule::Edge              ? std::optional<glm::dvec2>(side.inward)
+                                                        : this->ContourNormal;
   if (normal)
   {
     const double cosine = glm::dot(t0, *normal);
@@ -285,7 +397,11 @@ void LaunchLine::bringToMap(const Side& side, double l, EdgeWave& wave) const
 
 glm::dvec2 LaunchLine::wavenumberAt(const glm::dvec2& place, const glm::dvec2& inward) const
 {
-  return this->edgeWave({ place, leftOf(inward), inward, 0.0 }, 0.0).wavenumber;
+  Side side;
+  side.corner = place;
+  side.along = leftOf(inward);
+  side.inward = inward;
+  return this->edgeWave(side, 0.0).wavenumber;
 }
 
 glm::dvec2 LaunchLine::integrate(const Side& side, double from, double to) const
@@ -376,8 +492,26 @@ void LaunchLine::walk(const Side& side, int index, bool& open, int& segment)
   }
 }
 
+LaunchPoint LaunchLine::pointOf(const Side& side, double l) const
+{
+  const EdgeWave wave = this->edgeWave(side, l);
+  LaunchPoint point;
+  point.position = side.corner + l * side.along;
+  point.wavenumber = wave.wavenumber;
+  point.dPosition = side.along / wave.density;
+  point.dWavenumber = wave.dWavenumber / wave.density;
+  return point;
+}
+
 LaunchPoint LaunchLine::at(double lambda) const
 {
+  if (!this->Options.places.empty())
+  {
+    const auto index = std::min(static_cast<std::size_t>(std::max(lambda, 0.0)), this->Sides.size() - 1);
+    LaunchPoint point = this->pointOf(this->Sides[index], 0.0);
+    point.segment = static_cast<int>(index);
+    return point;
+  }
   if (this->Stretches.empty())
   {
     throw std::logic_error("the wave comes in nowhere: there is no launch line");
@@ -404,12 +538,7 @@ LaunchPoint LaunchLine::at(double lambda) const
     (miss > 0.0 ? high : low) = l;
     l = newton > low && newton < high ? newton : 0.5 * (low + high);
   }
-  const EdgeWave wave = this->edgeWave(side, l);
-  LaunchPoint point;
-  point.position = side.corner + l * side.along;
-  point.wavenumber = wave.wavenumber;
-  point.dPosition = side.along / wave.density;
-  point.dWavenumber = wave.dWavenumber / wave.density;
+  LaunchPoint point = this->pointOf(side, l);
   point.phase = stretch.phase + this->integrate(side, stretch.from, l).y;
   point.segment = stretch.segment;
   return point;

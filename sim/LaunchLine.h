@@ -28,7 +28,15 @@ enum class EdgeRule
  */
 std::optional<glm::dvec2> contourNormal(const Seafloor& seafloor, double waterLevel, std::optional<double> given);
 
-/** What the incident wave meets on its way to the rays' start. All must outlive the launch line. */
+/** A point at which one ray starts. */
+struct LaunchPlace
+{
+  glm::dvec2 position{ 0.0 }; ///< m
+  std::optional<double>
+    heading{}; ///< of the wave there, going to, rad; none: that of the incident wave, brought there by the rule
+};
+
+/** What the incident wave meets on its way to the rays' start, and where that is. What is pointed to must outlive the launch line. */
 struct LaunchOptions
 {
   EdgeRule rule = EdgeRule::Contours;
@@ -38,6 +46,9 @@ struct LaunchOptions
   const Obstacles* obstacles = nullptr;
   const MapScale* map = nullptr;
   const WaveSource* source = nullptr; ///< a point that the wave comes from; none: a plane wave
+  std::vector<std::vector<glm::dvec2>>
+    lines{};                         ///< where rays start in place of the scene's edges: poly-lines within it, m
+  std::vector<LaunchPlace> places{}; ///< or points
 };
 
 /** Where and how one ray starts: on a map of the Earth the state on the map (RayStart). */
@@ -79,6 +90,10 @@ struct LaunchPoint
  *
  *   lambda = integral of |t.n_edge| (cos theta0/cos theta) (b0/b) dl = b0 times the angle at the source.
  *
+ * Lines within the scene (LaunchOptions) take the place of its edges: each is turned so that the wave crosses it, as a whole, from its
+ * left to its right, and has the phase 0 where the wave first meets it. Points have a ray each, with no neighbours, lambda
+ * counts them (the i-th from 0 to i + 1/2) and their phase is 0; the tube at a point is that of a metre of the incident crest.
+ *
  * The seafloor and what the options point to must outlive the line.
  */
 class LaunchLine
@@ -87,13 +102,16 @@ public:
   /**
    * @param aground depth below which the edge counts as land, m, > 0
    * @throws std::invalid_argument on a bad wave or depth, and on a source that the waves have come from too far around the Earth, or
-   *   on the edge
+   *   on the edge; std::runtime_error on a line that leaves the scene, and on a point from which no wave can start
    */
   LaunchLine(const Seafloor& seafloor, double waterLevel, const IncidentWave& wave, double aground,
     const LaunchOptions& options = {});
 
   /** Total length along the incident crest, m; 0 where the wave comes in nowhere over water. */
   double length() const { return this->Length; }
+
+  /** Spacing of the only rays that there are; none where there may be any number of them. */
+  std::optional<double> raySpacing() const;
 
   /** Start of the ray with this parameter, 0 <= lambda <= length(). */
   LaunchPoint at(double lambda) const;
@@ -120,6 +138,8 @@ private:
     glm::dvec2 along{ 0.0 };
     glm::dvec2 inward{ 0.0 };
     double length = 0.0;
+    int chain = 0;                   // the line that it is of
+    std::optional<double> heading{}; // of the wave, in place of the rule
   };
 
   /** A short stretch of a side through which the wave comes in over water everywhere, or nowhere. */
@@ -153,8 +173,12 @@ private:
   };
 
   Offshore offshoreAt(const Side& side, double l) const;
-  void findReference();
+  std::vector<std::vector<glm::dvec2>> chains() const;
+  void findReferences();
+  void standPlaces();
+  void takeReference(const SourceSample& sample);
   EdgeWave edgeWave(const Side& side, double l) const;
+  LaunchPoint pointOf(const Side& side, double l) const;
   void bringToMap(const Side& side, double l, EdgeWave& wave) const;
   std::optional<double> solveAlong(
     double depth, const glm::dvec2& along, double across, const glm::dvec2& velocity) const;

@@ -46,24 +46,6 @@ void requirePositive(const char* name, double value, const char* unit)
   }
 }
 
-std::string extent(const Rectangle& box)
-{
-  return "x " + shortNumber(box.low.x) + " to " + shortNumber(box.high.x) + " m, y " + shortNumber(box.low.y) + " to " +
-    shortNumber(box.high.y) + " m";
-}
-
-// Nothing is known of the water beyond a current's data, least of all that it stands still.
-void requireCover(const Current& current, const Rectangle& scene)
-{
-  const Rectangle known = current.bounds();
-  const glm::dvec2 rounding = scene.size() * 1e-9;
-  if (!known.contains(scene.low + rounding) || !known.contains(scene.high - rounding))
-  {
-    throw std::runtime_error("the current covers " + extent(known) + " and the scene " + extent(scene) +
-      ": it must cover all of the scene (outside it is not taken as 0); crop the seafloor");
-  }
-}
-
 }
 
 void TraceOptions::validate() const
@@ -113,6 +95,10 @@ void TraceOptions::validate() const
   {
     throw std::invalid_argument("the snell scheme knows no ellipsoid: take the ode scheme, or the plane");
   }
+  if (!this->launchLines.empty() && !this->launchPlaces.empty())
+  {
+    throw std::invalid_argument("rays start from lines or from points, not from both");
+  }
   if (this->maxRays == 0 || this->maxFronts == 0 || this->maxPoints == 0)
   {
     throw std::invalid_argument("the caps on rays, fronts and points must be above 0");
@@ -145,7 +131,8 @@ RayField traceWaves(
     requireCover(*medium.current, seafloor.bounds());
   }
   const LaunchLine line(seafloor, options.waterLevel, wave, medium.agroundDepth,
-    { options.edge, options.shoreNormal, options.current, medium.obstacles, options.map, options.source });
+    { options.edge, options.shoreNormal, options.current, medium.obstacles, options.map, options.source,
+      options.launchLines, options.launchPlaces });
   if (!(line.length() > 0.0))
   {
     throw std::runtime_error(options.source ? "the waves from this point come in nowhere over water: it must lie "

@@ -47,7 +47,10 @@ struct TraceOptions
   const MapScale* map = nullptr; ///< of the Earth, whose metres those of the seafloor are (RayMedium); none: a plane
   const WaveSource* source =
     nullptr; ///< a point that the wave comes from, in place of its direction; must outlive the trace
-  std::size_t maxReflections = 10; ///< of one wave by obstacles
+  std::vector<std::vector<glm::dvec2>>
+    launchLines;                         ///< poly-lines within the scene where rays start, m; none: its edges
+  std::vector<LaunchPlace> launchPlaces; ///< points where rays start; none: as the lines say
+  std::size_t maxReflections = 10;       ///< of one wave by obstacles
   std::size_t maxRays = 200000;
   std::size_t maxFronts = 100000;
   std::size_t maxPoints = 40000000; ///< in all rays together: some gigabytes

@@ -503,8 +503,12 @@ std::optional<Call> Parser::read()
   for (const Registered& registered : this->Chosen->options)
   {
     const RayRequest& rays = this->Result.rays;
-    const bool needed = registered.spec.required || (rays.wanted && registered.spec.name == "--height") ||
-      (rays.wanted && registered.spec.name == "--direction" && rays.source == RayRequest::Source::PlaneWave);
+    const StartRequest& start = this->Result.start;
+    const bool isHeight = registered.spec.name == "--height"; // of no use to rays followed back from a site
+    const bool isDirection = registered.spec.name == "--direction";
+    const bool directed = rays.source != RayRequest::Source::PlaneWave || !start.launch.empty() || start.site;
+    const bool needed = (registered.spec.required && !(isHeight && start.site)) ||
+      (rays.wanted && ((isHeight && !start.site) || (isDirection && !directed)));
     if (needed && registered.option->count() == 0)
     {
       throw UsageError(fmt::format("{} needs {} {}", name, registered.spec.longName(), registered.spec.value));

@@ -3,12 +3,14 @@
 #include "Failure.h"
 #include "FieldValues.h"
 #include "FilterRun.h"
+#include "RayStarts.h"
 
 #include "bathymetry/SeafloorReport.h"
 
 #include <fmt/format.h>
 
 #include <vtkErrorCode.h>
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLWriter.h>
@@ -197,7 +199,8 @@ void setUp(vtkSwellFoam* foam, const SurfaceRequest& options)
 }
 
 Pipeline::Pipeline(const Request& request, Console& console)
-  : Screen(console)
+  : Asked(request)
+  , Screen(console)
 {
   setUp(this->Reader, request.seafloor);
   setUp(this->Tracer, request.rays, request.seafloor.options.waterLevel);
@@ -261,6 +264,10 @@ void Pipeline::setWaterLevel(double level)
 
 vtkPolyData* Pipeline::traceRays()
 {
+  if (!this->Asked.start.launch.empty() && this->Tracer->GetNumberOfInputConnections(1) == 0)
+  {
+    this->Tracer->SetInputData(1, readLaunch(this->Asked, georeferenceOf(this->Reader->GetOutput())));
+  }
   runFilter(this->Tracer, "tracing", this->Screen);
   return this->Tracer->GetOutput();
 }
@@ -329,8 +336,8 @@ std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
   for (const std::string& file : { request.seafloor.source, request.rays.current, request.rays.obstacles,
-         request.render.rays, request.render.crests, request.map.stations, request.map.waterLevels,
-         request.spectrum.boundary, request.spectrum.series, request.surface.at })
+         request.start.launch, request.render.rays, request.render.crests, request.map.stations,
+         request.map.waterLevels, request.spectrum.boundary, request.spectrum.series, request.surface.at })
   {
     std::error_code none;
     if (!file.empty() && std::filesystem::exists(file, none))

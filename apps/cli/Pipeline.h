@@ -75,6 +75,7 @@ public:
   vtkPolyData* probeSurface(vtkPolyData* points);
 
 private:
+  const Request& Asked;
   Console& Screen;
   vtkNew<vtkSwellSeafloorReader> Reader;
   vtkNew<vtkSwellContours> Contours;

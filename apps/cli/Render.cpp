@@ -6,6 +6,7 @@
 #include "Failure.h"
 #include "FieldValues.h"
 #include "Pipeline.h"
+#include "RayStarts.h"
 #include "RenderScene.h"
 #include "TimeSeriesOption.h"
 
@@ -160,6 +161,7 @@ void checkRender(Request& request)
 {
   checkRays(request.rays);
   checkEarth(request);
+  checkStart(request);
   checkContours(request.contour);
   const RenderRequest& render = request.render;
   checkScene(request);
@@ -269,6 +271,7 @@ CommandSpec renderSpec(Request& request)
   add(spec.options, { cameraOption(render), sunOption(render), time, timesOption(render.times, "Scene") });
   add(spec.options, contourOptions(request.contour));
   add(spec.options, waveOptions(request.rays, false));
+  spec.options.push_back(launchOption(request.start));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"

@@ -60,6 +60,14 @@ struct RayRequest
   std::optional<double> maxRefraction; ///< the cap where one was given
 };
 
+/** Where rays start, in place of the edges of the scene. */
+struct StartRequest
+{
+  std::string launch;                        ///< file of lines or points; empty: none
+  std::optional<std::array<double, 2>> site; ///< from which rays are followed back, in the grid's own coordinates
+  std::optional<int> directions;             ///< at the site
+};
+
 /** The waves by the mild-slope equation in place of rays. */
 struct MildSlopeRequest
 {
@@ -253,6 +261,7 @@ struct Request
   SeafloorRequest seafloor;
   ContourRequest contour;
   RayRequest rays;
+  StartRequest start;
   MapRequest map;
   SpectrumRequest spectrum;
   ElevationRequest elevation;

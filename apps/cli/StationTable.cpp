@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <optional>
 
 namespace swellray::cli
@@ -31,6 +32,7 @@ StationTable::StationTable(const std::string& path)
     const std::vector<std::string>& fields = line.fields;
     Station station;
     station.line = line.text;
+    station.fields = fields;
     station.number = line.number;
     const bool first = columns == 0;
     columns = first ? fields.size() : columns;
@@ -38,6 +40,7 @@ StationTable::StationTable(const std::string& path)
     if (first && fields.size() >= 2 && !parseField(fields[0], none) && !parseField(fields[1], none))
     {
       this->Heading = line.text;
+      this->Columns = fields;
       xColumn = columnOf(fields, { "x", "lon", "longitude", "easting" }).value_or(0);
       yColumn = columnOf(fields, { "y", "lat", "latitude", "northing" }).value_or(1);
       timeColumn = columnOf(fields, { "time", "t" });
@@ -97,6 +100,27 @@ vtkSmartPointer<vtkPolyData> StationTable::places(const Georeference& scene) con
   auto stations = vtkSmartPointer<vtkPolyData>::New();
   stations->SetPoints(points);
   return stations;
+}
+
+std::optional<std::vector<double>> StationTable::numbers(const std::vector<std::string>& words) const
+{
+  const std::optional<std::size_t> column = columnOf(this->Columns, words);
+  if (!column)
+  {
+    return {};
+  }
+  std::vector<double> numbers;
+  for (const Station& station : this->Stations)
+  {
+    const std::string& field = station.fields[*column];
+    numbers.push_back(std::numeric_limits<double>::quiet_NaN());
+    if (!field.empty() && !parseField(field, numbers.back()))
+    {
+      throw WorkError(fmt::format(
+        "'{}' line {}: '{}' in column '{}' is no number", this->Path, station.number, field, this->Columns[*column]));
+    }
+  }
+  return numbers;
 }
 
 std::string StationTable::heading(const std::vector<std::string>& columns) const

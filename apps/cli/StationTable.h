@@ -6,6 +6,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ public:
 
   /** Times of the points, s, of a column `time` or `t` (or time_..., t_...); empty where there is none. */
   const std::vector<double>& times() const { return this->Times; }
+
+  /** Numbers of the first column that is one of these words, one a point, NaN where a field is empty; none without the column. @throws WorkError */
+  std::optional<std::vector<double>> numbers(const std::vector<std::string>& words) const;
 
   std::size_t size() const { return this->Stations.size(); }
 
@@ -64,11 +68,13 @@ private:
     double x = 0.0;
     double y = 0.0;
     std::string line; // as it was read
+    std::vector<std::string> fields;
     std::size_t number = 0;
   };
 
   std::string Path;
   std::string Heading;
+  std::vector<std::string> Columns; // of the heading, empty without one
   std::vector<Station> Stations;
   std::vector<double> Times;
 };

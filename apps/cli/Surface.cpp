@@ -5,6 +5,7 @@
 #include "OptionGroups.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
+#include "RayStarts.h"
 #include "SurfaceTable.h"
 #include "TimeSeriesOption.h"
 
@@ -195,6 +196,7 @@ CommandSpec surfaceSpec(Request& request)
     number("--spray-steepness", "R", "height over length from which on crests throw spray", "where the trace breaks",
       "Surface", surface.spraySteepness, { "", 0.0, 10.0, true }) };
   add(spec.options, waveOptions(request.rays, true));
+  spec.options.push_back(launchOption(request.start));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples =

@@ -8,6 +8,7 @@
 #include "MapOutput.h"
 #include "MildSlopeRun.h"
 #include "Pipeline.h"
+#include "RayStarts.h"
 #include "RayValues.h"
 #include "StationTable.h"
 #include "Sweep.h"
@@ -19,6 +20,7 @@
 #include <fmt/format.h>
 
 #include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
@@ -49,26 +51,6 @@ private:
   std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
-// How often each code occurs in a cell array, as "12 alive, 3 dead".
-std::string tally(vtkPolyData* rays, const char* name, const std::vector<std::string>& words)
-{
-  std::vector<vtkIdType> counts(words.size(), 0);
-  vtkDataArray* codes = rays->GetCellData()->GetArray(name);
-  for (vtkIdType i = 0; codes && i < codes->GetNumberOfTuples(); ++i)
-  {
-    ++counts.at(static_cast<std::size_t>(codes->GetComponent(i, 0)));
-  }
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i)
-  {
-    if (counts[i] > 0)
-    {
-      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", counts[i], words[i]);
-    }
-  }
-  return text;
-}
-
 void sayRays(vtkPolyData* rays, const Console& console)
 {
   vtkDataArray* parents = rays->GetCellData()->GetArray("ParentRay");
@@ -90,10 +72,7 @@ void sayRays(vtkPolyData* rays, const Console& console)
     reflections ? fmt::format(", {} reflected", reflected) : "", rays->GetNumberOfPoints(),
     fieldNumber(rays, "Fronts").value_or(0.0)));
   console.say("states   " + tally(rays, "FinalState", { "dead", "alive", "flat", "aground" }));
-  console.say("ended    " +
-    tally(rays, "EndReason",
-      { "at a cap", "left the scene", "entered a hole", "aground", "between aground rays", "cancelled",
-        "blocked by a current", "stopped by an obstacle" }));
+  console.say("ended    " + tally(rays, "EndReason", endReasonWords()));
 }
 
 void sayHeights(vtkPolyData* rays, const Console& console)
@@ -195,9 +174,16 @@ void sayDefaults(vtkPolyData* rays, const Request& request, const Console& conso
   const TraceOptions& trace = request.rays.trace;
   const auto value = [&](const char* name) { return fieldNumber(rays, name).value_or(0.0); };
   const auto origin = [](bool given) { return given ? "" : " (from the scene)"; };
-  console.say(fmt::format("spacing  {:.4g} m{} over {:.4g} m of crest; a ray is inserted beyond {:.4g} m{}",
-    value("LaunchSpacing"), origin(trace.spacing.has_value()), value("LaunchWidth"), value("MaxSpacing"),
-    trace.maxSpacing ? "" : " (1.5 times that)"));
+  if (!request.start.launch.empty() && rays->GetFieldData()->HasArray("LaunchPoints"))
+  {
+    console.say(fmt::format("launch   {:g} points of '{}', a ray each", value("LaunchPoints"), request.start.launch));
+  }
+  else
+  {
+    console.say(fmt::format("spacing  {:.4g} m{} over {:.4g} m of crest; a ray is inserted beyond {:.4g} m{}",
+      value("LaunchSpacing"), origin(trace.spacing.has_value()), value("LaunchWidth"), value("MaxSpacing"),
+      trace.maxSpacing ? "" : " (1.5 times that)"));
+  }
   console.say((trace.step ? fmt::format("fronts   every {:.4g} m", *trace.step)
                           : fmt::format("fronts   {:.4g} a wavelength{}", value("StepsPerWave"),
                               origin(trace.stepsPerWave.has_value()))) +
@@ -211,6 +197,7 @@ void checkTrace(Request& request)
   checkRays(request.rays);
   checkMildSlope(request);
   checkEarth(request);
+  checkStart(request);
   const OutputRequest& output = request.output;
   checkOutputs(output);
   if (output.table.empty() != request.map.stations.empty())
@@ -251,6 +238,11 @@ void runTrace(const Request& request, Console& console)
   if (!request.map.waterLevels.empty())
   {
     traceWaterLevels(request, console);
+    return;
+  }
+  if (request.start.site)
+  {
+    runFromSite(request, console);
     return;
   }
   if (request.mildSlope.wanted)
@@ -354,6 +346,7 @@ CommandSpec traceSpec(Request& request)
       request.map.waterLevels) };
   add(spec.options, lineOptions(request.output));
   add(spec.options, waveOptions(request.rays, true));
+  add(spec.options, startOptions(request.start));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, mildSlopeOptions(request.mildSlope));
   add(spec.options, mapOptions(request.map));
@@ -374,6 +367,8 @@ CommandSpec traceSpec(Request& request)
     "  swellray trace pacific.nc --earth ellipsoid --period 16 --from-storm 170,-50 --height 2 -o rays.vtp\n"
     "  swellray trace harbour.tif --period 8,12,16 --direction 200:260:10 --height 2 --stations buoys.csv --table "
     "waves.csv\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --launch offshore.geojson -o rays.vtp\n"
+    "  swellray trace harbour.tif --period 14 --from-site 512300,6121400 --directions 180 -o ways.vtp\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
     "  swellray trace bar --period 9 --direction 90 --height 1.5 --breaking dally --breaker-line breakers.vtp\n"
     "  swellray trace harbour.nc --water-level 1.2 --period 8 --direction 300 --height 1.5 --amplitude tube -o "

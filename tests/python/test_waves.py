@@ -36,6 +36,26 @@ class Waves(unittest.TestCase):
         cls.beach = swellray.Seafloor.from_array(elevation, cls.x, cls.y)
         cls.rays = cls.beach.trace(period=8, direction=250, height=1, spacing=20, breaking="none")
 
+    def test_start_from_points_and_lines(self):
+        offshore = {"period": 8, "height": 1, "offshore_depth": 20, "edge": "none", "spacing": 20}
+        rays = self.beach.trace(from_point=(-1500.0, 0.0), **offshore)
+        self.assertAlmostEqual(float(rays.fields["SourceDistance"]), 500.0, delta=0.1)
+        line = [[-500.0, -200.0], [-500.0, 200.0]]
+        rays = self.beach.trace(direction=270, launch=line, **offshore)
+        numpy.testing.assert_allclose(numpy.sort(rays.points[:, 0])[0], -500.0, atol=1e-9)
+        again = self.beach.trace(direction=270, launch=[line], **offshore)
+        numpy.testing.assert_array_equal(again.points, rays.points)
+        with self.assertRaisesRegex(TypeError, "one of direction, from_storm and from_point"):
+            self.beach.trace(**offshore)
+        with self.assertRaisesRegex(swellray.Error, "where on Earth"):
+            self.beach.trace(from_storm=(170, -50), **offshore)
+
+    def test_are_followed_back_from_a_site(self):
+        ways = self.beach.ways((-300.0, 10.0), period=8, directions=36)
+        self.assertEqual(len(ways["SiteDirectionFrom"]), 36)
+        west = int(numpy.argmin(abs(ways["SiteDirectionFrom"] - 270.0)))
+        self.assertAlmostEqual(ways["OffshoreDirectionFrom"][west], 270.0, places=9)
+
     def test_follow_snell_on_an_array(self):
         depth = self.rays["Depth"]
         wet = (depth > 1.0) & (self.rays["RayState"] == 1)

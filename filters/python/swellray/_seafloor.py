@@ -2,7 +2,7 @@
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 
 from . import swellrayFilters as filters
 from ._options import configure
@@ -129,7 +129,8 @@ class Seafloor(Map):
         run(algorithm)
         return Lines(output_of(algorithm))
 
-    def trace(self, *, period, height, direction=None, from_storm=None, from_point=None, offshore_depth=None, gravity=None, spacing=None, max_spacing=None,
+    def trace(self, *, period, height, direction=None, from_storm=None, from_point=None, launch=None,
+              offshore_depth=None, gravity=None, spacing=None, max_spacing=None,
               steps_per_wave=None, step=None, scheme="ode", tolerance=None, flat_height=None, insert="retrace",
               lee_rays=True, edge="contours", shore_normal=None, aground_depth=None, max_rays=None, max_fronts=None,
               current=None, obstacles=None, reflection=None, max_reflections=None, amplitude="spacing",
@@ -148,6 +149,8 @@ class Seafloor(Map):
         gravity: m/s2; default 9.81
 
         The rays
+        launch: where they start in place of the edges of the scene, in the coordinates of the file: a line, (n, 2), or a
+            list of such lines
         spacing: along the incident crest, m; default: from the scene
         max_spacing: insert a ray where two are further apart, m; default: 1.5 times the spacing
         steps_per_wave: fronts a wavelength; default: 8, or as the scene allows
@@ -193,13 +196,48 @@ class Seafloor(Map):
             flat_height=flat_height, insert=insert, lee_rays=lee_rays, edge=edge, shore_normal=shore_normal,
             aground_depth=aground_depth, max_rays=max_rays, max_fronts=max_fronts, current=current,
             obstacles=obstacles, reflection=reflection, max_reflections=max_reflections)
-        tracer.SetInputData(self._vtk)
+        tracer.SetInputDataObject(0, self._vtk)
+        if launch is not None:
+            tracer.SetInputDataObject(1, self._lines(launch))
         heights = configure(filters.vtkSwellWaveHeight(), amplitude=amplitude, caustics=caustics, kr_max=kr_max,
                             breaking=breaking, gamma=gamma, friction=friction)
         run(tracer, progress)
         heights.SetInputData(output_of(tracer))
         run(heights)
         return Rays(output_of(heights), self)
+
+    def ways(self, site, *, period, directions=None, offshore_depth=None, gravity=None, steps_per_wave=None, tolerance=None,
+             edge="contours", shore_normal=None, aground_depth=None, current=None, obstacles=None, progress=None):
+        """The ways by which waves come to a site from offshore, as Lines, one a direction: with SiteDirectionFrom,
+        OffshoreDirectionFrom (degrees; NaN where none gets there), EnergyGain (the energy a direction over that offshore),
+        TravelTime (s) and EndReason a line.
+
+        site: (x, y) in the coordinates of the seafloor's file
+        directions: around the circle, the first from north; default 72
+        aground_depth: default 0.1 m
+        The others as in trace().
+        """
+        algorithm = configure(
+            filters.vtkSwellBackwardRays(), period=period, directions=directions, offshore_depth=offshore_depth,
+            gravity=gravity, water_level=self.water_level, steps_per_wave=steps_per_wave, tolerance=tolerance, edge=edge,
+            shore_normal=shore_normal, aground_depth=aground_depth, current=current, obstacles=obstacles)
+        algorithm.SetSite(*site)
+        algorithm.SetInputDataObject(0, self._vtk)
+        run(algorithm, progress)
+        return Lines(output_of(algorithm))
+
+    def _lines(self, lines):
+        """vtkPolyData in the scene of a line, (n, 2), or of several, in the coordinates of the file."""
+        single = numpy.ndim(lines[0]) == 1
+        parts = [numpy.asarray(line, dtype=float) for line in ([lines] if single else lines)]
+        data = points_of(self.to_scene(numpy.concatenate(parts)))
+        cells = vtkCellArray()
+        first = 0
+        for part in parts:
+            cells.InsertNextCell(len(part), range(first, first + len(part)))
+            first += len(part)
+        data.SetLines(cells)
+        return data
 
     def mild_slope(self, *, period, direction, height, stations=None, coordinates="file", offshore_depth=None,
                    gravity=None, edge="contours", shore_normal=None, node_spacing=None, spacing=None, min_depth=None,
