@@ -23,6 +23,7 @@
 
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -126,7 +127,7 @@ int vtkSwellBackwardRays::RequestData(
     }
     swellray::IncidentWave wave;
     wave.period = this->Period;
-    wave.offshoreDepth = this->OffshoreDepth;
+    wave.offshoreDepth = this->OffshoreDepth != 0.0 ? this->OffshoreDepth : std::numeric_limits<double>::infinity();
     wave.gravity = this->Gravity;
     wave.validate();
     swellray::BackwardOptions options;
@@ -134,7 +135,7 @@ int vtkSwellBackwardRays::RequestData(
     options.gravity = this->Gravity;
     options.tolerance = this->Tolerance;
     options.agroundDepth = this->AgroundDepth;
-    options.offshoreDepth = this->OffshoreDepth;
+    options.offshoreDepth = wave.offshoreDepth;
     options.edge = static_cast<swellray::EdgeRule>(this->Edge);
     options.shoreNormal = this->UseShoreNormal ? std::optional<double>(this->ShoreNormal) : std::nullopt;
 
@@ -162,7 +163,7 @@ int vtkSwellBackwardRays::RequestData(
     setPoints(output, fan.field, wave, this->WaterLevel, current != nullptr);
     setCells(output, fan);
     swellray::setFieldValue(output, "Period", this->Period);
-    swellray::setFieldValue(output, "OffshoreDepth", this->OffshoreDepth);
+    swellray::setFieldValue(output, "OffshoreDepth", wave.offshoreDepth);
     swellray::setFieldValue(output, "Gravity", this->Gravity);
     swellray::setFieldValue(output, "WaterLevel", this->WaterLevel);
     swellray::setFieldValue(output, "SiteX", this->Site[0]);

@@ -68,7 +68,7 @@ public:
   ///@}
 
   ///@{
-  /** Depth in which offshore directions hold, m; > 0, default infinity: deep water. */
+  /** Depth in which offshore directions hold, m; > 0, default infinity: deep water, as is 0. */
   vtkSetMacro(OffshoreDepth, double);
   vtkGetMacro(OffshoreDepth, double);
   ///@}
