@@ -1,5 +1,6 @@
 // First breaking on a plane beach, H = gamma h.
 #include "Families.h"
+#include "Problems.h"
 #include "ReferenceSolutions.h"
 
 #include "sim/Breaking.h"
@@ -22,15 +23,6 @@ namespace
 {
 
 using reference::Real;
-
-struct Breaking
-{
-  double period;
-  double height; // deep water, m
-  double theta0; // deep water, degrees
-  double slope;
-  double gamma;
-};
 
 /** Depth at which the wave first breaks, by bisection on H0 Ks Kr = gamma h. */
 Real exactDepth(const Breaking& c)
@@ -153,7 +145,9 @@ Found tracedBreaking(const Breaking& c, const Setting& setting)
   return found;
 }
 
-Outcome run(const Setting& setting)
+}
+
+Outcome runBreaking(const std::vector<Breaking>& waves, const Setting& setting)
 {
   Outcome outcome;
   outcome.numbers.columns = { "T_s", "H0_m", "theta0_deg", "slope", "gamma", "hb_exact_m", "hb_m", "Hb_exact_m", "Hb_m",
@@ -173,10 +167,7 @@ Outcome run(const Setting& setting)
   const auto largest = [](double& error, double now) { error = now <= error ? error : now; };
   const auto relative = [](double found, Real exact) { return std::abs(found / static_cast<double>(exact) - 1.0); };
   double number = 0.0;
-  for (const Breaking& c : { Breaking{ 8.0, 1.0, 0.0, 0.02, 0.78 }, Breaking{ 8.0, 2.0, 30.0, 0.02, 0.78 },
-         Breaking{ 12.0, 1.5, 45.0, 0.05, 0.78 }, Breaking{ 6.0, 0.5, 60.0, 0.03, 0.6 },
-         Breaking{ 15.0, 3.0, 20.0, 0.01, 0.78 }, Breaking{ 10.0, 1.0, 70.0, 0.1, 1.0 },
-         Breaking{ 14.0, 0.3, 15.0, 0.3, 0.9 } })
+  for (const Breaking& c : waves)
   {
     const Real exact = exactDepth(c);
     const Real omega = 2.0L * reference::Pi / c.period;
@@ -233,8 +224,6 @@ Outcome run(const Setting& setting)
   return outcome;
 }
 
-}
-
 std::vector<Case> breakingCases()
 {
   return { { "c6_breaking", "First breaking on a plane beach",
@@ -243,7 +232,14 @@ std::vector<Case> breakingCases()
     "Iribarren numbers in deep water and at breaking, and the types by both: seven waves of 6 to 15 s, 0.3 to 3 m, 0 "
     "to "
     "70 degrees, slopes of 0.01 to 0.3, gamma of 0.6 to 1.",
-    run } };
+    [](const Setting& setting)
+    {
+      return runBreaking(
+        { { 8.0, 1.0, 0.0, 0.02, 0.78 }, { 8.0, 2.0, 30.0, 0.02, 0.78 }, { 12.0, 1.5, 45.0, 0.05, 0.78 },
+          { 6.0, 0.5, 60.0, 0.03, 0.6 }, { 15.0, 3.0, 20.0, 0.01, 0.78 }, { 10.0, 1.0, 70.0, 0.1, 1.0 },
+          { 14.0, 0.3, 15.0, 0.3, 0.9 } },
+        setting);
+    } } };
 }
 
 }

@@ -32,6 +32,42 @@ struct Beach
 };
 
 Outcome runBeach(const Beach& beach, const Setting& setting);
+
+/** The dispersion relation for these periods, s, in depths of 1 cm to 10 km. */
+Outcome runDispersion(const std::vector<double>& periods, const Setting& setting);
+
+/** Waves from deep water onto a plane beach by the whole tracer, launch included. */
+struct DeepBeach
+{
+  double slope = 0.02;
+  std::vector<double> periods; ///< s
+  std::vector<double> angles;  ///< in deep water, degrees from the shore normal
+};
+
+Outcome runDeepToDepth(const DeepBeach& beach, const Setting& setting);
+
+/** Long waves where h = h0 (x/x0)^power or h0 (r/r0)^power: a curve known in shallow water. */
+struct Shallow
+{
+  reference::DesignedRay curve; ///< the same one as at finite period, where only phase and time differ
+  double power = 1.0;
+  double depth = 0.0; ///< h0, m
+  bool circular = false;
+};
+
+Outcome runShallow(const Shallow& shallow, const Setting& setting);
+
+/** First breaking on a plane beach. */
+struct Breaking
+{
+  double period = 0.0; ///< s
+  double height = 0.0; ///< in deep water, m
+  double theta0 = 0.0; ///< in deep water, degrees
+  double slope = 0.0;
+  double gamma = 0.0;
+};
+
+Outcome runBreaking(const std::vector<Breaking>& waves, const Setting& setting);
 Outcome runTrapped(const reference::TrappedRay& exact, const Setting& setting);
 
 /** Rays along +x over a circular shoal or island, from (x0, b). */

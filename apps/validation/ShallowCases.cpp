@@ -2,6 +2,7 @@
 #include "DesignedRays.h"
 #include "Families.h"
 #include "GridRun.h"
+#include "Problems.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,17 +17,6 @@ using reference::DesignedRay;
 using reference::Jet;
 using reference::Place;
 
-struct ShallowCase
-{
-  const char* name;
-  const char* title;
-  const char* formula;
-  DesignedRay curve; // the same one as at finite period, where only phase and time differ
-  double power;      // h = h0 (x/x0)^power or h0 (r/r0)^power
-  double depth;      // h0, m
-  bool circular;
-};
-
 struct ShallowErrors
 {
   double position = 0.0; // over the way
@@ -40,7 +30,7 @@ double periodOf(double share, double depth)
   return 2.0 * Pi * std::sqrt(depth / (6.0 * static_cast<double>(reference::Gravity) * share));
 }
 
-reference::Formula depthOf(const ShallowCase& c)
+reference::Formula depthOf(const Shallow& c)
 {
   reference::Formula formula;
   formula.depth = [c](const Jet& x, const Jet& y, unsigned)
@@ -53,7 +43,7 @@ reference::Formula depthOf(const ShallowCase& c)
 }
 
 /** Rays of a period at which the seafloor is not shallow, on grids: by the equations of Munk and Arthur on the formula. */
-void addGrids(const ShallowCase& c, const Setting& setting, Outcome& outcome)
+void addGrids(const Shallow& c, const Setting& setting, Outcome& outcome)
 {
   constexpr double share = 1e-2;
   const reference::Formula formula = depthOf(c);
@@ -84,7 +74,7 @@ void addGrids(const ShallowCase& c, const Setting& setting, Outcome& outcome)
   addGridConvergence(scene, plan, setting, outcome);
 }
 
-ShallowErrors errorsAt(const ShallowCase& c, double period, const Setting& setting, Outcome* outcome)
+ShallowErrors errorsAt(const Shallow& c, double period, const Setting& setting, Outcome* outcome)
 {
   const double start = c.curve.position.x;
   const reference::FormulaSeafloor seafloor(depthOf(c), c.curve.bounds, c.curve.feature);
@@ -125,7 +115,9 @@ ShallowErrors errorsAt(const ShallowCase& c, double period, const Setting& setti
   return errors;
 }
 
-Outcome run(const ShallowCase& c, const Setting& setting)
+}
+
+Outcome runShallow(const Shallow& c, const Setting& setting)
 {
   Outcome outcome;
   outcome.numbers.columns = { "T_s", "length_m", "x_exact_m", "x_m", "y_exact_m", "y_m", "theta_exact_rad", "theta_rad",
@@ -163,8 +155,6 @@ Outcome run(const ShallowCase& c, const Setting& setting)
   return outcome;
 }
 
-}
-
 std::vector<Case> shallowCases()
 {
   // Curves at the design's default period and depth: only their shape is used.
@@ -175,21 +165,28 @@ std::vector<Case> shallowCases()
     d.angle = angle;
     return d;
   };
+  struct ShallowCase
+  {
+    const char* name;
+    const char* title;
+    const char* formula;
+    Shallow problem;
+  };
   std::vector<Case> cases;
   for (const ShallowCase& c : { ShallowCase{ "c3_shallow_plane_cycloid", "Long waves on a plane beach",
-                                  "h = 0.02 x: a cycloid", cycloidRay(design(1000.0, 40.0)), 1.0, 20.0, false },
+                                  "h = 0.02 x: a cycloid", { cycloidRay(design(1000.0, 40.0)), 1.0, 20.0, false } },
          ShallowCase{ "c3_shallow_x2_circle", "Long waves on a parabolic beach", "h = 2e-5 x^2: a circle",
-           circleRay(design(800.0, 35.0)), 2.0, 12.8, false },
+           { circleRay(design(800.0, 35.0)), 2.0, 12.8, false } },
          ShallowCase{ "c3_shallow_island_cone", "Long waves around a cone", "h = 0.02 r: a parabola around the centre",
-           islandParabolaRay(design(2000.0, 30.0)), 1.0, 40.0, true },
+           { islandParabolaRay(design(2000.0, 30.0)), 1.0, 40.0, true } },
          ShallowCase{ "c3_shallow_island_par", "Long waves around a paraboloid", "h = 1e-5 r^2: a logarithmic spiral",
-           spiralRay(design(2000.0, 60.0)), 2.0, 40.0, true } })
+           { spiralRay(design(2000.0, 60.0)), 2.0, 40.0, true } } })
   {
     cases.push_back({ c.name, c.title,
       std::string(c.formula) +
         " where C = sqrt(g h). The tracer has full dispersion, so the period is chosen so long that "
         "it adds a millionth, and the difference must fall as 1/T^2.",
-      [c](const Setting& setting) { return run(c, setting); } });
+      [problem = c.problem](const Setting& setting) { return runShallow(problem, setting); } });
   }
   return cases;
 }

@@ -119,13 +119,15 @@ void largest(double& error, double now)
   }
 }
 
+// Waves towards -x, the shore at x = 0; the crest comes from the side. Depths at the edges are those of this slope.
 constexpr double DeepSlope = 0.02;
-// Waves towards -x, the shore at x = 0; the crest comes from the side.
 const Rectangle DeepScene{ { -100.0, -3000.0 }, { 9000.0, 3000.0 } };
+constexpr double DeepNearest = 0.52; // m, the least depth that is compared
 
-DeepErrors traceFromDeep(const Seafloor& seafloor, double period, double degreesFromNormal, const Setting& setting,
-  double tolerance, Outcome* outcome)
+DeepErrors traceFromDeep(const Seafloor& seafloor, double slope, double period, double degreesFromNormal,
+  const Setting& setting, double tolerance, Outcome* outcome)
 {
+  const double size = DeepSlope / slope;
   IncidentWave wave;
   wave.period = period;
   wave.directionFrom = 90.0 + degreesFromNormal;
@@ -135,8 +137,8 @@ DeepErrors traceFromDeep(const Seafloor& seafloor, double period, double degrees
   options.tolerance = tolerance;
   options.insertion = InsertionRule::None;
   options.leeRays = false;
-  options.spacing = 1000.0;
-  options.step = 150.0;
+  options.spacing = 1000.0 * size;
+  options.step = 150.0 * size;
   options.agroundDepth = 0.5;
   const RayField field = traceWaves(seafloor, wave, options);
   const std::size_t n = field.points.size();
@@ -185,11 +187,11 @@ DeepErrors traceFromDeep(const Seafloor& seafloor, double period, double degrees
   DeepErrors errors;
   for (std::size_t i = 0; i < n; ++i)
   {
-    if (state[i] == static_cast<std::uint8_t>(RayState::Aground) || !(position[3 * i] > 26.0))
+    if (state[i] == static_cast<std::uint8_t>(RayState::Aground) || !(slope * position[3 * i] > DeepNearest))
     {
       continue;
     }
-    const Real h = DeepSlope * position[3 * i];
+    const Real h = slope * position[3 * i];
     const Real exactSine = sine0 * omega * omega / (reference::Gravity * reference::wavenumber(omega, h));
     const double theta = static_cast<double>(std::asin(exactSine));
     const double exactKr = static_cast<double>(
@@ -211,25 +213,29 @@ DeepErrors traceFromDeep(const Seafloor& seafloor, double period, double degrees
   return errors;
 }
 
-Outcome deepToDepth(const Setting& setting)
+}
+
+Outcome runDeepToDepth(const DeepBeach& deep, const Setting& setting)
 {
   Outcome outcome;
   outcome.numbers.columns = { "T_s", "theta_deep_deg", "h_m", "theta_exact_deg", "theta_deg", "Kr_exact", "Kr",
     "Ks_exact", "Ks", "H_exact_m", "H_m" };
-  const PlaneBeach beach(DeepScene, 90.0, DeepSlope, 0.0);
+  const double size = DeepSlope / deep.slope;
+  const Rectangle scene{ size * DeepScene.low, size * DeepScene.high };
+  const PlaneBeach beach(scene, 90.0, deep.slope, 0.0);
   DeepErrors worst;
   Plot plot{ "height from deep water to the shore", "depth (m)", "H (m)", {}, false, false };
-  for (const double period : { 8.0, 12.0 })
+  for (const double period : deep.periods)
   {
-    for (const double theta : { 20.0, 45.0, 70.0 })
+    for (const double theta : deep.angles)
     {
       const std::size_t first = outcome.numbers.rows.size();
-      const DeepErrors errors = traceFromDeep(beach, period, theta, setting, FineTolerance, &outcome);
+      const DeepErrors errors = traceFromDeep(beach, deep.slope, period, theta, setting, FineTolerance, &outcome);
       largest(worst.theta, errors.theta);
       largest(worst.kr, errors.kr);
       largest(worst.ks, errors.ks);
       largest(worst.height, errors.height);
-      if (period == 12.0)
+      if (period == deep.periods.back())
       {
         Series exact{ "exact, " + std::to_string(static_cast<int>(theta)) + " deg", Series::Look::Line, {}, {} };
         Series dots{ "", Series::Look::Dots, {}, {} };
@@ -249,26 +255,26 @@ Outcome deepToDepth(const Setting& setting)
   }
   plot.series[1].name = "computed";
   outcome.plots = { plot };
-  const DeepErrors usual = traceFromDeep(beach, 12.0, 45.0, setting, 1e-8, nullptr);
+  const DeepErrors usual =
+    traceFromDeep(beach, deep.slope, deep.periods.back(), deep.angles[deep.angles.size() / 2], setting, 1e-8, nullptr);
   constexpr double fine = 2e-10;
   const std::string steps = "some hundred steps, each right to 1e-12";
   outcome.checks = { { "heading (rad)", worst.theta, fine, steps },
     { "Kr (relative)", worst.kr, 1e-9, "as any tube's width" }, { "Ks (relative)", worst.ks, fine, steps },
     { "H (relative)", worst.height, 1e-9, "product of Ks and Kr" },
     { "H (relative), default", usual.height, 1e-5, "errors go as the tolerance of a step, 1e-8 in place of 1e-12" } };
-  for (const double spacing : { 200.0, 100.0, 50.0 })
+  for (const double spacing : { 200.0 * size, 100.0 * size, 50.0 * size })
   {
     const SplineSeafloor grid(
-      sampledGrid([](const glm::dvec2& p) { return -DeepSlope * p.x; }, DeepScene, glm::dvec2(spacing), 0.0));
-    const DeepErrors gridded = traceFromDeep(grid, 12.0, 45.0, setting, FineTolerance, nullptr);
+      sampledGrid([&](const glm::dvec2& p) { return -deep.slope * p.x; }, scene, glm::dvec2(spacing), 0.0));
+    const DeepErrors gridded = traceFromDeep(
+      grid, deep.slope, deep.periods.back(), deep.angles[deep.angles.size() / 2], setting, FineTolerance, nullptr);
     const std::string at = ", grid of " + std::to_string(static_cast<int>(spacing)) + " m";
     const std::string reason = "a cubic spline reproduces a plane at any spacing: as on the formula";
     outcome.checks.push_back({ "heading (rad)" + at, gridded.theta, 10.0 * fine, reason });
     outcome.checks.push_back({ "H (relative)" + at, gridded.height, 1e-8, reason });
   }
   return outcome;
-}
-
 }
 
 std::vector<Case> straightCases()
@@ -296,7 +302,9 @@ std::vector<Case> straightCases()
     "Waves of 8 and 12 s from deep water at 20, 45 and 70 degrees onto h = 0.02 x by the whole tracer, launch "
     "included: "
     "sin(theta)/C, Kr and Ks in closed form.",
-    deepToDepth });
+    [](const Setting& setting) {
+      return runDeepToDepth({ 0.02, { 8.0, 12.0 }, { 20.0, 45.0, 70.0 } }, setting);
+    } });
   const auto trapped = [&cases](const char* name, const char* formula, const reference::TrappedRay& ray)
   {
     cases.push_back({ name, "Ray trapped by a plane beach",

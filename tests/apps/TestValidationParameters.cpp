@@ -39,6 +39,41 @@ Beach beach(const std::string& spec, const reference::Depth& depth, double perio
   return b;
 }
 
+TEST(ValidationParameters, Dispersion)
+{
+  expectPassed(runDispersion({ 0.7, 1.3, 3.3, 6.7, 11.0, 17.0, 31.0, 240.0, 1800.0 }, quick()), "other periods");
+}
+
+TEST(ValidationParameters, FromDeepWater)
+{
+  expectPassed(runDeepToDepth({ 0.05, { 6.5, 14.0 }, { 10.0, 33.0, 60.0 } }, quick()), "s = 0.05");
+  expectPassed(runDeepToDepth({ 0.008, { 10.0 }, { 0.0, 55.0, 75.0 } }, quick()), "s = 0.008");
+}
+
+TEST(ValidationParameters, LongWaves)
+{
+  // Curves at the design's default period and depth: only their shape is used.
+  const auto design = [](double length, double angle)
+  {
+    reference::Design d;
+    d.length = length;
+    d.angle = angle;
+    return d;
+  };
+  expectPassed(runShallow({ cycloidRay(design(700.0, 55.0)), 1.0, 9.0, false }, quick()), "cycloid");
+  expectPassed(runShallow({ circleRay(design(1300.0, 20.0)), 2.0, 30.0, false }, quick()), "circle");
+  expectPassed(runShallow({ islandParabolaRay(design(1500.0, 45.0)), 1.0, 15.0, true }, quick()), "parabola");
+  expectPassed(runShallow({ spiralRay(design(1200.0, 40.0)), 2.0, 25.0, true }, quick()), "spiral");
+}
+
+TEST(ValidationParameters, FirstBreaking)
+{
+  expectPassed(runBreaking({ { 7.0, 0.8, 25.0, 0.04, 0.7 }, { 10.0, 2.5, -50.0, 0.015, 0.85 },
+                             { 5.0, 0.2, 10.0, 0.12, 0.78 }, { 18.0, 1.0, 65.0, 0.06, 1.1 } },
+                 quick()),
+    "four waves");
+}
+
 TEST(ValidationParameters, PlaneBeaches)
 {
   for (const Beach& b : { beach("plane:s=0.013", reference::planeDepth(0.013L), 7.0, 2500.0, 63.0),
