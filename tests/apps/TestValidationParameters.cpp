@@ -68,7 +68,7 @@ TEST(ValidationParameters, LongWaves)
 
 TEST(ValidationParameters, FirstBreaking)
 {
-  expectPassed(runBreaking({ { 7.0, 0.8, 25.0, 0.04, 0.7 }, { 10.0, 2.5, -50.0, 0.015, 0.85 },
+  expectPassed(runBreaking({ { 7.0, 0.8, 25.0, 0.04, 0.7 }, { 10.0, 2.5, 50.0, 0.015, 0.85 },
                              { 5.0, 0.2, 10.0, 0.12, 0.78 }, { 18.0, 1.0, 65.0, 0.06, 1.1 } },
                  quick()),
     "four waves");
