@@ -1,10 +1,13 @@
 #include "bathymetry/CurrentReader.h"
 
 #include "bathymetry/FileGrid.h"
+#include "bathymetry/QuietGdal.h"
 #include "bathymetry/RasterSource.h"
 #include "bathymetry/Text.h"
 #include "sim/Angles.h"
 #include "sim/SplineSeafloor.h"
+
+#include <ogr_spatialref.h>
 
 #include <glm/common.hpp>
 
@@ -15,6 +18,7 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <utility>
 
@@ -110,12 +114,78 @@ FileGrid readComponent(const RasterSource& source, bool longitudes)
   return file;
 }
 
-/** Nodes of a grid over the scene, about as far apart as those of a file in degrees. */
-ElevationGrid layOver(const Rectangle& bounds, const FileGrid& file)
+/** Places of the scene in the coordinates of a file of another CRS, and how its axes lie there. */
+class OtherPlace
 {
-  const double latitude = file.first.y + 0.5 * file.lastIndex().y * file.rowStep.y;
-  const glm::dvec2 cell =
-    MetresPerDegree * glm::dvec2(file.columnStep.x * std::max(0.01, std::cos(radians(latitude))), file.rowStep.y);
+public:
+  /** Both must outlive this. @throws std::runtime_error where no way leads from one to the other */
+  OtherPlace(const Georeference& own, const Georeference& scene, double middleLongitude)
+    : Own(own)
+    , Scene(scene)
+    , Middle(middleLongitude)
+  {
+    if (own.kind() == GeoreferenceKind::Geographic)
+    {
+      return;
+    }
+    const QuietGdal quiet;
+    OGRSpatialReference from;
+    OGRSpatialReference to;
+    from.importFromWkt(scene.crs().c_str());
+    to.importFromWkt(own.crs().c_str());
+    from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    this->Transformation.reset(OGRCreateCoordinateTransformation(&from, &to));
+    if (!this->Transformation)
+    {
+      throw std::runtime_error("no way from CRS '" + scene.crsName() + "' to its own, '" + own.crsName() +
+        "': " + QuietGdal::lastError("no reason given"));
+    }
+  }
+
+  /** A place in the file's coordinates; NaN where it has none. */
+  glm::dvec2 file(const glm::dvec2& point) const
+  {
+    if (!this->Transformation)
+    {
+      glm::dvec2 place = this->Scene.toLonLat(point).value_or(glm::dvec2(NotANumber));
+      place.x = this->Middle + std::remainder(place.x - this->Middle, 360.0);
+      return place;
+    }
+    glm::dvec2 place = this->Scene.toFile(point);
+    const QuietGdal quiet;
+    const std::lock_guard<std::mutex> lock(this->Guard); // PROJ's transformations are for one thread at a time
+    return this->Transformation->Transform(1, &place.x, &place.y) ? place : glm::dvec2(NotANumber);
+  }
+
+  /** Turn from the file's axes to those of the scene, rad: true north lies the convergence anticlockwise from y. */
+  double turn(const glm::dvec2& point, const glm::dvec2& file) const
+  {
+    const double own = this->Transformation ? this->Own.convergence(this->Own.fromFile(file)) : 0.0;
+    return radians(this->Scene.convergence(point) - own);
+  }
+
+private:
+  const Georeference& Own;
+  const Georeference& Scene;
+  double Middle;
+  std::unique_ptr<OGRCoordinateTransformation> Transformation; // none: to longitude and latitude
+  mutable std::mutex Guard;
+};
+
+/** Nodes of a grid over the scene, about as far apart as those of a file of another CRS. */
+ElevationGrid layOver(const Rectangle& bounds, const FileGrid& file, const Georeference& own)
+{
+  glm::dvec2 cell(file.columnStep.x, file.rowStep.y);
+  if (own.kind() == GeoreferenceKind::Geographic)
+  {
+    const double latitude = file.first.y + 0.5 * file.lastIndex().y * file.rowStep.y;
+    cell *= MetresPerDegree * glm::dvec2(std::max(0.01, std::cos(radians(latitude))), 1.0);
+  }
+  else
+  {
+    cell *= own.metresPerUnit();
+  }
   const glm::dvec2 cells = glm::max(glm::ceil(bounds.size() / cell), glm::dvec2(3.0));
   if (cells.x * cells.y > static_cast<double>(MostNodes))
   {
@@ -130,15 +200,15 @@ ElevationGrid layOver(const Rectangle& bounds, const FileGrid& file)
   return grid;
 }
 
-void resample(const FileGrid& east, const FileGrid& north, const Georeference& scene, const Rectangle& bounds,
-  CurrentGrids& result, const Execution& execution)
+void resample(const FileGrid& alongX, const FileGrid& alongY, const Georeference& own, const Georeference& scene,
+  const Rectangle& bounds, CurrentGrids& result, const Execution& execution)
 {
-  const SplineSeafloor u(east.values);
-  const SplineSeafloor v(north.values);
-  result.u = layOver(bounds, east);
+  const SplineSeafloor u(alongX.values);
+  const SplineSeafloor v(alongY.values);
+  result.u = layOver(bounds, alongX, own);
   result.v = result.u;
-  const glm::dvec2 last = east.lastIndex();
-  const double middle = east.first.x + 0.5 * last.x * east.columnStep.x;
+  const glm::dvec2 last = alongX.lastIndex();
+  const OtherPlace other(own, scene, alongX.first.x + 0.5 * last.x * alongX.columnStep.x);
   // Rows are shared out to threads, in which nothing may be thrown.
   std::vector<unsigned char> outside(result.u.rows, 0);
   execution.forRange(result.u.rows,
@@ -149,9 +219,8 @@ void resample(const FileGrid& east, const FileGrid& north, const Georeference& s
         for (std::size_t column = 0; column < result.u.columns; ++column)
         {
           const glm::dvec2 point = result.u.node(column, row);
-          glm::dvec2 place = scene.toLonLat(point).value_or(glm::dvec2(NotANumber));
-          place.x = middle + std::remainder(place.x - middle, 360.0);
-          const glm::dvec2 index = east.toIndex(place);
+          const glm::dvec2 place = other.file(point);
+          const glm::dvec2 index = alongX.toIndex(place);
           constexpr double rounding = 1e-6; // cells
           if (!(index.x > -rounding && index.y > -rounding && index.x < last.x + rounding &&
                 index.y < last.y + rounding))
@@ -160,8 +229,7 @@ void resample(const FileGrid& east, const FileGrid& north, const Georeference& s
             continue;
           }
           const glm::dvec2 velocity(u.elevation(index), v.elevation(index));
-          // True north lies so much anticlockwise from the scene's y.
-          const double turn = radians(scene.convergence(point));
+          const double turn = other.turn(point, place);
           result.u.at(column, row) = velocity.x * std::cos(turn) - velocity.y * std::sin(turn);
           result.v.at(column, row) = velocity.x * std::sin(turn) + velocity.y * std::cos(turn);
         }
@@ -169,10 +237,11 @@ void resample(const FileGrid& east, const FileGrid& north, const Georeference& s
     });
   if (std::any_of(outside.begin(), outside.end(), [](unsigned char is) { return is != 0; }))
   {
-    const Rectangle extent = east.extent();
-    throw std::runtime_error("it covers longitudes " + text(extent.low.x) + " to " + text(extent.high.x) +
-      " and latitudes " + text(extent.low.y) + " to " + text(extent.high.y) +
-      ", not all of the scene (outside it is not taken as 0); crop the seafloor");
+    const Rectangle extent = alongX.extent();
+    const bool degrees = own.kind() == GeoreferenceKind::Geographic;
+    throw std::runtime_error(std::string("it covers ") + (degrees ? "longitudes " : "x ") + text(extent.low.x) +
+      " to " + text(extent.high.x) + " and " + (degrees ? "latitudes " : "y ") + text(extent.low.y) + " to " +
+      text(extent.high.y) + ", not all of the scene (outside it is not taken as 0); crop the seafloor");
   }
 }
 
@@ -208,19 +277,18 @@ CurrentGrids read(
     result.notes.push_back(std::to_string(missing) + " of " + std::to_string(u.values.elevation.size()) +
       " nodes of the current have no data: there it continues smoothly from those around");
   }
-  if (geographic)
+  const bool other = geographic || scene.kind() == GeoreferenceKind::Geographic || !isSamePlane(own, scene);
+  if (other && (scene.crs().empty() || own.crs().empty()))
   {
-    if (scene.kind() == GeoreferenceKind::Local)
-    {
-      throw std::runtime_error("it is in longitude and latitude, and the seafloor does not say where on Earth it lies");
-    }
-    resample(u, v, scene, bounds, result, execution);
-    return result;
+    throw std::runtime_error(geographic
+        ? "it is in longitude and latitude, and the seafloor does not say where on Earth it lies"
+        : "it does not say where on Earth it lies, and the seafloor is in longitude and latitude; give it a CRS "
+          "(gdal_edit)");
   }
-  if (scene.kind() == GeoreferenceKind::Geographic || !isSamePlane(own, scene))
+  if (other)
   {
-    throw std::runtime_error("its CRS is '" + own.crsName() + "', that of the seafloor '" + scene.crsName() +
-      "'; bring it to the latter, or to longitude and latitude, first (gdalwarp)");
+    resample(u, v, own, scene, bounds, result, execution);
+    return result;
   }
   for (FileGrid* file : { &u, &v })
   {

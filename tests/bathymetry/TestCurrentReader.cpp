@@ -5,10 +5,14 @@
 #include "sim/Angles.h"
 #include "sim/SplineCurrent.h"
 
+#include <ogr_spatialref.h>
+
+#include <glm/geometric.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <string>
 
 using namespace swellray;
@@ -110,6 +114,55 @@ TEST(CurrentReader, turnsWhatIsEastAndNorthIntoTheScenesAxes)
   EXPECT_THAT(messageOf(folder.file("c.nc"), Georeference()), ::testing::HasSubstr("where on Earth"));
 }
 
+TEST(CurrentReader, bringsAnotherProjectionToTheScene)
+{
+  // The Dutch grid seen in UTM, whose meridians differ by some two degrees, and in longitude and latitude.
+  const Folder folder;
+  RasterFile file;
+  file.crs = "EPSG:28992";
+  file.columns = 60;
+  file.rows = 60;
+  file.transform = { 85000.0, 500.0, 0.0, 465000.0, 0.0, -500.0 };
+  file.bands = 2;
+  const auto speedAt = [](const glm::dvec2& p) { return 0.5 + 1e-5 * (p.x - 1e5) - 2e-5 * (p.y - 4.5e5); };
+  file.fill(speedAt);
+  file.writeGeoTiff(folder.file("c.tif"));
+  OGRSpatialReference dutch;
+  dutch.importFromEPSG(28992);
+  const Rectangle bounds{ { -4000.0, -3000.0 }, { 4000.0, 3000.0 } };
+  for (const char* crs : { "EPSG:32631", "EPSG:4326" })
+  {
+    OGRSpatialReference other;
+    other.SetFromUserInput(crs);
+    dutch.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    other.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    const std::unique_ptr<OGRCoordinateTransformation> way(OGRCreateCoordinateTransformation(&dutch, &other));
+    const auto toOther = [&](glm::dvec2 p)
+    {
+      EXPECT_TRUE(way->Transform(1, &p.x, &p.y));
+      return p;
+    };
+    const glm::dvec2 middle = toOther({ 100000.0, 450000.0 });
+    const Georeference scene(crs, middle, middle);
+    const CurrentGrids grids = readCurrent(folder.file("c.tif"), scene, bounds);
+    const SplineCurrent current(grids.u, grids.v);
+    for (const glm::dvec2 place : { glm::dvec2(100000.0, 450000.0), { 98000.0, 451500.0 }, { 102500.0, 448700.0 } })
+    {
+      // Both components are the speed: along the Dutch diagonal, as 100 m of it lie in the scene. A bed of degree 1 in the file is
+      // one in the scene but for 1e-6 over the scene.
+      const glm::dvec2 here = scene.fromFile(toOther(place));
+      const glm::dvec2 there = scene.fromFile(toOther(place + glm::dvec2(50.0 * std::sqrt(2.0))));
+      const glm::dvec2 expected = std::sqrt(2.0) * speedAt(place) * glm::normalize(there - here);
+      EXPECT_LT(glm::length(current.velocity(here) - expected), 2e-5) << crs;
+      if (std::string(crs) == "EPSG:32631")
+      {
+        EXPECT_GT(
+          glm::length(current.velocity(here) - glm::dvec2(speedAt(place))), 0.01); // not as it stands in the file
+      }
+    }
+  }
+}
+
 TEST(CurrentReader, refusesWhatIsNoCurrent)
 {
   const Folder folder;
@@ -127,6 +180,7 @@ TEST(CurrentReader, refusesWhatIsNoCurrent)
   raster.bands = 2;
   raster.fill([](const glm::dvec2&) { return 0.5; });
   raster.writeGeoTiff(folder.file("rd.tif"));
-  EXPECT_THAT(messageOf(folder.file("rd.tif"), Georeference("EPSG:32631", {}, {})), ::testing::HasSubstr("gdalwarp"));
+  EXPECT_THAT(
+    messageOf(folder.file("rd.tif"), Georeference("EPSG:32631", {}, {})), ::testing::HasSubstr("not all of the scene"));
   EXPECT_EQ(messageOf(folder.file("rd.tif"), Georeference("EPSG:28992", {}, {})), "");
 }
