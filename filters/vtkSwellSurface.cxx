@@ -6,6 +6,7 @@
 #include "SeafloorField.h"
 #include "SurfaceScene.h"
 #include "SurfaceSettings.h"
+#include "SurfaceWaves.h"
 
 #include <vtkDataArray.h>
 #include <vtkFloatArray.h>
@@ -26,6 +27,7 @@ vtkStandardNewMacro(vtkSwellSurface);
 
 vtkSwellSurface::vtkSwellSurface()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
+  , Others(std::make_unique<swellray::SurfaceWaves>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
@@ -36,6 +38,10 @@ vtkSwellSurface::~vtkSwellSurface() = default;
 int vtkSwellSurface::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -57,7 +63,10 @@ int vtkSwellSurface::RequestUpdateExtent(vtkInformation*, vtkInformationVector**
 {
   for (int port = 0; port < 2; ++port)
   {
-    swellray::askAtNoTime(inputVector[port]->GetInformationObject(0));
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      swellray::askAtNoTime(inputVector[port]->GetInformationObject(i));
+    }
   }
   return 1;
 }
@@ -74,10 +83,12 @@ int vtkSwellSurface::RequestData(
     swellray::requirePositive("TextureSize", this->TextureSize);
     const std::string spec = swellray::sectionSpec(this->Section, this->SectionParameters);
     const auto section = swellray::makeWaveSection(spec);
-    this->Scene = swellray::SurfaceScene::of(rays, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
-      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed,
-        this->PhaseRule == STRAIGHT },
-      this);
+    vtkDataArray* elevation = this->GetInputArrayToProcess(0, inputVector);
+    swellray::SurfaceScene::Settings settings{ swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()),
+      this->Seed, this->PhaseRule == STRAIGHT };
+    this->Scene = swellray::SurfaceScene::of(rays, image, elevation, *this->Seafloor, settings, this);
+    settings.straight = false;
+    this->Others->update(inputVector[0], 1, image, elevation, *this->Seafloor, settings, this);
     this->UpdateProgress(0.5);
     if (this->GetAbortExecute())
     {
@@ -107,6 +118,13 @@ int vtkSwellSurface::RequestData(
     out->SetActiveTCoords("TextureCoordinates");
 
     scene.surface().displace(time, *section, arrays, swellray::makeExecution(this, 0.5, 0.9));
+    if (const swellray::SurfaceSum* others = this->Others->sum())
+    {
+      swellray::SurfaceMotion motion;
+      motion.section = section.get();
+      others->addTo(arrays, scene.sheet().pointCount(), swellray::pointSpacing(scene.sheet()).data(), time, motion,
+        swellray::makeExecution(this, 0.9, 1.0));
+    }
     if (this->Still)
     {
       std::copy(scene.sheet().Position.begin(), scene.sheet().Position.end(), arrays.position);

@@ -11,6 +11,7 @@ namespace swellray
 {
 class SeafloorField;
 class SurfaceScene;
+class SurfaceWaves;
 }
 
 /**
@@ -20,7 +21,9 @@ class SurfaceScene;
  * Wraps swellray::SurfaceSheet and swellray::WaveSurface (equations there): the sheets between neighbouring rays, moved by a
  * vertical section of the sea.
  *
- * Input 0: vtkPolyData, rays of vtkSwellRayTracer with heights of vtkSwellWaveHeight (also read back from a file).
+ * Input 0: vtkPolyData, rays of vtkSwellRayTracer with heights of vtkSwellWaveHeight (also read back from a file). Further
+ * connections are other waves of the sea, traced on their own: their heights are added (swellray::SurfaceSum), except of those
+ * that the points do not resolve. Foam, breaking and phases are those of the first.
  * Input 1: vtkImageData, the seafloor they were traced over, point array Elevation (m, positive up).
  *
  * Output: vtkPolyData, triangles wound so that the undisplaced sheet looks up, with these point arrays
@@ -148,6 +151,7 @@ private:
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
   std::shared_ptr<const swellray::SurfaceScene> Scene; // what frames share
+  std::unique_ptr<swellray::SurfaceWaves> Others;
 };
 
 #endif

@@ -4,9 +4,8 @@
 #include "FieldData.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
-#include "SurfaceScene.h"
 #include "SurfaceSettings.h"
-#include "sim/SurfaceFunction.h"
+#include "SurfaceWaves.h"
 
 #include <vtkCellArray.h>
 #include <vtkFloatArray.h>
@@ -29,6 +28,7 @@ vtkStandardNewMacro(vtkSwellSurfaceProbe);
 
 vtkSwellSurfaceProbe::vtkSwellSurfaceProbe()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
+  , Waves(std::make_unique<swellray::SurfaceWaves>())
 {
   this->SetNumberOfInputPorts(3);
   this->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
@@ -39,6 +39,10 @@ vtkSwellSurfaceProbe::~vtkSwellSurfaceProbe() = default;
 int vtkSwellSurfaceProbe::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkImageData" : "vtkPolyData");
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -57,14 +61,8 @@ int vtkSwellSurfaceProbe::RequestData(
     motion.section = section.get();
     motion.foam.life = this->FoamLife;
     motion.foam.validate();
-    auto scene = swellray::SurfaceScene::of(rays, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
+    this->Waves->update(inputVector[0], 0, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
       { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed, false }, this);
-    if (!this->Function || scene != this->Scene)
-    {
-      this->Function.reset();
-      this->Function = std::make_unique<const swellray::SurfaceFunction>(scene->surface());
-      this->Scene = std::move(scene);
-    }
 
     const vtkIdType count = asked->GetNumberOfPoints();
     std::vector<glm::dvec2> places(static_cast<std::size_t>(count));
@@ -88,7 +86,7 @@ int vtkSwellSurfaceProbe::RequestData(
       }
     }
     const std::vector<swellray::SurfaceValue> values =
-      this->Function->at(places, times, motion, swellray::makeExecution(this, 0.5, 1.0));
+      this->Waves->sum()->at(places, times, motion, swellray::makeExecution(this, 0.5, 1.0));
 
     output->SetPoints(asked->GetPoints());
     vtkPointData* out = output->GetPointData();

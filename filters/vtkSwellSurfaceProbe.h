@@ -4,14 +4,13 @@
 #include "swellrayFiltersModule.h"
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for the seafloor and what is kept between frames
+#include <memory> // for the seafloor and the waves
 #include <string> // for the section
 
 namespace swellray
 {
 class SeafloorField;
-class SurfaceScene;
-class SurfaceFunction;
+class SurfaceWaves;
 }
 
 /**
@@ -20,7 +19,8 @@ class SurfaceFunction;
  *
  * Wraps swellray::SurfaceFunction (equations there): what a buoy records, or a hull meets.
  *
- * Input 0: vtkPolyData, rays of vtkSwellRayTracer with heights of vtkSwellWaveHeight (also read back from a file).
+ * Input 0: vtkPolyData, rays of vtkSwellRayTracer with heights of vtkSwellWaveHeight (also read back from a file); of several
+ * connections each is a wave of its own, and they are added.
  * Input 1: vtkImageData, the seafloor they were traced over, point array Elevation (m, positive up).
  * Input 2: vtkPolyData, points (m, in the scene's plane; their heights do not count), optionally with the point array Time (s).
  *
@@ -103,8 +103,7 @@ private:
   void operator=(const vtkSwellSurfaceProbe&) = delete;
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
-  std::shared_ptr<const swellray::SurfaceScene> Scene; // what frames share
-  std::unique_ptr<const swellray::SurfaceFunction> Function;
+  std::unique_ptr<swellray::SurfaceWaves> Waves; // what calls share
 };
 
 #endif

@@ -38,6 +38,11 @@ double turns(double phase)
 
 }
 
+double resolvedShare(double wavelength, double spacing)
+{
+  return spacing > 0.0 ? std::clamp(wavelength / spacing - 2.0, 0.0, 1.0) : 1.0;
+}
+
 /** A place that comes to the one asked for. */
 struct SurfaceFunction::Root
 {
@@ -416,8 +421,17 @@ SurfaceValue SurfaceFunction::at(
   glm::dvec2 slope(0.0);
   double up = 0.0;
   glm::dvec3 overhanging(0.0);
+  bool whole = true;
   for (const SheetPlace& sheet : scratch.sheets)
   {
+    const double share = resolvedShare(2.0 * Pi / sheet.still.wavenumber, motion.spacing);
+    whole = whole && share == 1.0;
+    if (share == 0.0)
+    {
+      value.depth = sheet.still.depth;
+      ++value.sheets;
+      continue;
+    }
     Root root{ sheet, {} };
     if (!section.movesAlong() || sheet.shore >= 1.0)
     {
@@ -430,11 +444,11 @@ SurfaceValue SurfaceFunction::at(
     bool broken = false;
     this->move(root.still, time, section, &broken);
     const glm::dvec3& normal = root.moved.normal;
-    up += root.moved.position.z - level;
+    up += share * (root.moved.position.z - level);
     // A top sheet looks up; a vertical face has no slope.
-    slope -= glm::dvec2(normal) / std::max(normal.z, 1e-9);
+    slope -= share / std::max(normal.z, 1e-9) * glm::dvec2(normal);
     overhanging = normal;
-    value.velocity += root.moved.velocity;
+    value.velocity += share * root.moved.velocity;
     value.depth = root.moved.depth;
     value.foam = std::max(value.foam, this->foam(root.still, time, motion));
     value.breaking = value.breaking || broken;
@@ -446,8 +460,8 @@ SurfaceValue SurfaceFunction::at(
   }
   value.covered = true;
   value.elevation = level + std::max(up, -value.depth);
-  value.normal = value.sheets == 1 && glm::length(overhanging) > 0.0 ? glm::normalize(overhanging)
-                                                                     : glm::normalize(glm::dvec3(-slope, 1.0));
+  value.normal = whole && value.sheets == 1 && glm::length(overhanging) > 0.0 ? glm::normalize(overhanging)
+                                                                              : glm::normalize(glm::dvec3(-slope, 1.0));
   return value;
 }
 

@@ -44,8 +44,15 @@ struct SurfaceValue
 struct SurfaceMotion
 {
   const WaveSection* section = nullptr;
-  FoamOptions foam; ///< its life; the rest is taken from the surface and the section
+  FoamOptions foam;     ///< its life; the rest is taken from the surface and the section
+  double spacing = 0.0; ///< of the samples that are taken, m: waves that they do not resolve are left out; 0: none are
 };
+
+/**
+ * Share of a wave that samples so far apart may show: 0 of one shorter than two samples, 1 from three on (antialiasing by
+ * dropping components: Peachey 1986; Thon et al. 2000, section 2.4).
+ */
+double resolvedShare(double wavelength, double spacing);
 
 /**
  * The breaking-wave surface as a function of place and time, without a mesh: that of WaveSurface, which its points meet.
@@ -73,6 +80,8 @@ public:
 
   /** The same at one place. */
   SurfaceValue at(const glm::dvec2& place, double time, const SurfaceMotion& motion) const;
+
+  double waterLevel() const { return this->Surface.options().waterLevel; }
 
   /** Undisturbed places of the sheets that cover a place, in the order of the sheet. */
   void cover(const glm::dvec2& place, std::vector<SheetPlace>& sheets) const;

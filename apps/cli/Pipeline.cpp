@@ -209,6 +209,19 @@ Pipeline::Pipeline(const Request& request, Console& console)
   setUp(this->Foam, request.surface);
   setUp(this->Spray, request.surface);
   setUp(this->Probe, request.surface);
+  for (const IncidentWave& wave : request.surface.components)
+  {
+    this->Components.push_back(std::make_unique<Component>());
+    Component& component = *this->Components.back();
+    RayRequest rays = request.rays;
+    rays.wave.period = wave.period;
+    rays.wave.directionFrom = wave.directionFrom;
+    rays.wave.height = wave.height;
+    setUp(component.tracer, rays, request.seafloor.options.waterLevel);
+    setUp(component.heights, rays.height);
+    component.tracer->SetInputConnection(this->Reader->GetOutputPort());
+    component.heights->SetInputConnection(component.tracer->GetOutputPort());
+  }
   for (const double level : request.contour.levels)
   {
     this->Contours->AddLevel(level);
@@ -266,7 +279,16 @@ vtkPolyData* Pipeline::traceRays()
 {
   if (!this->Asked.start.launch.empty() && this->Tracer->GetNumberOfInputConnections(1) == 0)
   {
-    this->Tracer->SetInputData(1, readLaunch(this->Asked, georeferenceOf(this->Reader->GetOutput())));
+    const auto launch = readLaunch(this->Asked, georeferenceOf(this->Reader->GetOutput()));
+    this->Tracer->SetInputData(1, launch);
+    for (const auto& component : this->Components)
+    {
+      component->tracer->SetInputData(1, launch);
+    }
+  }
+  for (const auto& component : this->Components)
+  {
+    runFilter(component->tracer, "tracing", this->Screen);
   }
   runFilter(this->Tracer, "tracing", this->Screen);
   return this->Tracer->GetOutput();
@@ -274,6 +296,10 @@ vtkPolyData* Pipeline::traceRays()
 
 vtkPolyData* Pipeline::computeHeights()
 {
+  for (const auto& component : this->Components)
+  {
+    runFilter(component->heights, "heights", this->Screen);
+  }
   runFilter(this->Heights, "heights", this->Screen);
   return this->Heights->GetOutput();
 }
@@ -303,9 +329,22 @@ vtkPolyData* Pipeline::makeBreakerLines()
   return this->Breakers->GetOutput();
 }
 
+void Pipeline::connectWaves(vtkAlgorithm* filter)
+{
+  if (filter->GetNumberOfInputConnections(0) > 0)
+  {
+    return;
+  }
+  filter->SetInputConnection(0, this->Heights->GetOutputPort());
+  for (const auto& component : this->Components)
+  {
+    filter->AddInputConnection(0, component->heights->GetOutputPort());
+  }
+}
+
 vtkPolyData* Pipeline::makeSurface(double time)
 {
-  this->Surface->SetInputConnection(0, this->Heights->GetOutputPort());
+  this->connectWaves(this->Surface);
   this->Surface->SetSeafloorConnection(this->Reader->GetOutputPort());
   this->Surface->SetTime(time);
   runFilter(this->Surface, "surface", this->Screen);
@@ -325,7 +364,7 @@ vtkPolyData* Pipeline::makeSpray(double time)
 
 vtkPolyData* Pipeline::probeSurface(vtkPolyData* points)
 {
-  this->Probe->SetInputConnection(0, this->Heights->GetOutputPort());
+  this->connectWaves(this->Probe);
   this->Probe->SetSeafloorConnection(this->Reader->GetOutputPort());
   this->Probe->SetInputData(2, points);
   runFilter(this->Probe, "surface", this->Screen);

@@ -18,7 +18,9 @@
 #include <vtkSwellWaveHeight.h>
 
 #include <memory>
+#include <vector>
 
+class vtkAlgorithm;
 class vtkDataObject;
 class vtkPolyData;
 class vtkXMLWriter;
@@ -75,6 +77,15 @@ public:
   vtkPolyData* probeSurface(vtkPolyData* points);
 
 private:
+  // Another wave of the sea.
+  struct Component
+  {
+    vtkNew<vtkSwellRayTracer> tracer;
+    vtkNew<vtkSwellWaveHeight> heights;
+  };
+
+  void connectWaves(vtkAlgorithm* filter);
+
   const Request& Asked;
   Console& Screen;
   vtkNew<vtkSwellSeafloorReader> Reader;
@@ -87,6 +98,7 @@ private:
   vtkNew<vtkSwellFoam> Foam;
   vtkNew<vtkSwellSpray> Spray;
   vtkNew<vtkSwellSurfaceProbe> Probe;
+  std::vector<std::unique_ptr<Component>> Components;
 };
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */

@@ -194,7 +194,7 @@ struct SurfaceRequest
   std::optional<double> pointsPerWave;    ///< none: as many as the section asks for
   std::optional<double> foamLife;         ///< s
   int seed = 1;
-  std::string spray;                    ///< file to write; empty: not asked for
+  std::vector<IncidentWave> components; ///< further waves of the sea: period, direction and height
   std::optional<double> sprayRate;      ///< particles a metre of crest and metre
   std::optional<double> spraySteepness; ///< H/L from which on crests throw; none: as the trace breaks
   std::string at;                       ///< file of places and times; empty: none

@@ -17,6 +17,7 @@
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -28,6 +29,31 @@ namespace swellray::cli
 
 namespace
 {
+
+OptionSpec componentOption(SurfaceRequest& surface)
+{
+  OptionSpec spec{ "--component", "T,DIR,H", "another wave of the sea, traced on its own and added", "", "Surface",
+    false, {} };
+  spec.repeatable = true;
+  spec.set = [&surface](const std::string& typed)
+  {
+    const auto values = parseNumbers("--component", typed, {});
+    constexpr double turn = 360.0;
+    if (values.size() != 3 || !(values[0] > 0.0) || !(std::abs(values[1]) <= turn) || !(values[2] > 0.0))
+    {
+      throw UsageError(
+        fmt::format("--component needs T,DIR,H with a period and a height above 0 and a direction of -360 to "
+                    "360 degrees, not '{}'",
+          typed));
+    }
+    IncidentWave wave;
+    wave.period = values[0];
+    wave.directionFrom = values[1];
+    wave.height = values[2];
+    surface.components.push_back(wave);
+  };
+  return spec;
+}
 
 OptionSpec profileOption(SurfaceRequest& surface)
 {
@@ -189,7 +215,7 @@ CommandSpec surfaceSpec(Request& request)
     choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),
-    timesOption(surface.times, "Surface"), points,
+    timesOption(surface.times, "Surface"), componentOption(surface), points,
     number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed,
     number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
       "Surface", surface.sprayRate, { "", 0.0, 1e6 }),
@@ -206,6 +232,8 @@ CommandSpec surfaceSpec(Request& request)
     "  swellray surface plane --period 12 --direction 270 --height 1.5 --profile vortex:threshold=0.1 -o tube.vtp\n"
     "  swellray surface babbage --period 6 --direction 0 --height 1.5 --times 0:6:0.04 -o sea.pvd --spray spray.pvd\n"
     "  swellray surface bay --period 8 --direction 90 --height 1 --at buoys.csv --times 0:600:0.5 --table series.csv\n"
+    "  swellray surface babbage --period 6 --direction 0 --height 1 --component 2,20,0.1 --component 2.5,-15,0.15 -o "
+    "b.vtp\n"
     "A series that was broken off goes on where it was when the same call is made again.\n";
   spec.check = checkSurface;
   spec.run = runSurface;

@@ -31,3 +31,7 @@ swellray_cli_test(surface_at 0 "^x,y,name,Time,SurfaceElevation,NormalX,.*,Waves
 swellray_cli_test(surface_at_own_times 0 "^x,y,t,SurfaceElevation.*\n3\n$" "warning: the seafloor grid|^$"
   "printf 'x,y,t\\n100,100,0\\n100,100,2\\n' > p.csv && ${surface} --at p.csv --table o.csv && head -1 o.csv && wc -l < o.csv")
 swellray_cli_test(surface_at_bad_time 1 "" "'soon' is no time" "printf 'x,y,t\\n100,100,soon\\n' > p.csv && ${surface} --at p.csv --table o.csv")
+# A sea of several waves.
+swellray_cli_test(surface_components 0 "1\n2\n$" "warning: the seafloor grid|^$"
+  "printf 'x,y\\n100,100\\n' > p.csv && ${surface} --at p.csv --table a.csv && ${surface} --at p.csv --table b.csv --component 3,260,0.2 --component 2.5,280,0.1 && grep -c -v '^x' a.csv && cmp -s a.csv b.csv; echo $(( $? + 1 ))")
+swellray_cli_test(surface_component 2 "" "--component needs T,DIR,H" "${surface} -o s.vtp --component 3,260")

@@ -19,6 +19,7 @@
 #include <vtkPolyData.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -197,4 +198,54 @@ TEST(SurfaceProbe, takesTheTimeOfEachPointAndLeavesDryOnesEmpty)
   EXPECT_FALSE(scene.Probe->GetExecutive()->Update());
   ASSERT_EQ(listener->Errors.size(), 1u);
   EXPECT_THAT(listener->Errors.front(), testing::HasSubstr("life"));
+}
+
+TEST(Surface, addsTheHeightsOfOtherWaves)
+{
+  Scene scene;
+  vtkNew<vtkSwellRayTracer> tracer;
+  vtkNew<vtkSwellWaveHeight> heights;
+  tracer->SetInputConnection(scene.Reader->GetOutputPort());
+  tracer->SetPeriod(4.0);
+  tracer->SetDirectionFrom(95.0);
+  tracer->SetWaveHeight(0.2);
+  tracer->SetSpacing(2.0);
+  heights->SetInputConnection(tracer->GetOutputPort());
+  scene.Surface->SetSection("airy");
+  scene.Surface->SetTime(3.0);
+  scene.Surface->SetPointsPerWave(48.0);
+  scene.Tracer->SetSpacing(2.0);
+  scene.Surface->Update();
+  vtkNew<vtkPolyData> alone;
+  alone->DeepCopy(scene.Surface->GetOutput());
+  scene.Surface->AddInputConnection(0, heights->GetOutputPort());
+  scene.Surface->Update();
+  vtkPolyData* both = scene.Surface->GetOutput();
+  ASSERT_EQ(both->GetNumberOfPoints(), alone->GetNumberOfPoints());
+
+  scene.Probe->AddInputConnection(0, heights->GetOutputPort());
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(alone->GetPoints());
+  scene.Probe->SetSection("airy");
+  scene.Probe->SetPointsPerWave(48.0);
+  scene.Probe->SetTime(3.0);
+  scene.Probe->SetInputData(2, points);
+  scene.Probe->Update();
+  vtkDataArray* elevation = scene.Probe->GetOutput()->GetPointData()->GetArray("SurfaceElevation");
+  vtkDataArray* waves = scene.Probe->GetOutput()->GetPointData()->GetArray("Waves");
+  int compared = 0;
+  double changed = 0.0;
+  for (vtkIdType i = 0; i < both->GetNumberOfPoints(); ++i)
+  {
+    changed = std::max(changed, std::abs(both->GetPoint(i)[2] - alone->GetPoint(i)[2]));
+    // In deep water the points resolve the wave of 4 s, 25 m long.
+    if (waves->GetComponent(i, 0) == 2.0 && both->GetPoint(i)[0] > 200.0)
+    {
+      ASSERT_NEAR(both->GetPoint(i)[2], elevation->GetComponent(i, 0), 1e-3);
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 500);
+  EXPECT_GT(changed, 0.08);
+  EXPECT_LT(changed, 0.2);
 }

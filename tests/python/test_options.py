@@ -16,7 +16,7 @@ ELSEWHERE = {
     "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series", "elevation_series",
                  "duration", "interval", "seed"},
     "contour": {"output", "compress", "points"},
-    "surface": {"output", "compress", "times", "spray", "at", "table"},
+    "surface": {"output", "compress", "times", "spray", "at", "table", "component"},
 }
 COMMON = {"config", "threads", "quiet", "help"}
 SEAFLOOR = {"water_level", "positive", "crs", "crop", "resample", "smooth", "nodata", "variable", "max_gap",
