@@ -238,10 +238,11 @@ TEST(Surface, addsTheHeightsOfOtherWaves)
   for (vtkIdType i = 0; i < both->GetNumberOfPoints(); ++i)
   {
     changed = std::max(changed, std::abs(both->GetPoint(i)[2] - alone->GetPoint(i)[2]));
-    // In deep water the points resolve the wave of 4 s, 25 m long.
-    if (waves->GetComponent(i, 0) == 2.0 && both->GetPoint(i)[0] > 200.0)
+    // In deep water the points resolve the wave of 4 s, 25 m long, but for long triangles along the sides.
+    const double y = both->GetPoint(i)[1];
+    if (waves->GetComponent(i, 0) == 2.0 && both->GetPoint(i)[0] > 200.0 && y > 10.0 && y < 50.0)
     {
-      ASSERT_NEAR(both->GetPoint(i)[2], elevation->GetComponent(i, 0), 1e-3);
+      ASSERT_NEAR(both->GetPoint(i)[2], elevation->GetComponent(i, 0), 1e-3) << both->GetPoint(i)[0] << " " << y;
       ++compared;
     }
   }
