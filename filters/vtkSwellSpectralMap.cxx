@@ -22,6 +22,7 @@
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <exception>
 #include <limits>
 #include <stdexcept>
@@ -150,6 +151,8 @@ int vtkSwellSpectralMap::RequestData(
                  : swellray::spectralGridOf(state.spectrum(), frequencies, directions);
       options.rays.perDirection = static_cast<std::size_t>(this->RaysPerDirection);
     }
+    options.breaking =
+      static_cast<swellray::BreakingRule>(std::clamp(this->BreakingRule, 0, swellray::BreakingRuleCount - 1));
     options.gamma = this->Gamma != 0.0 ? std::optional<double>(this->Gamma) : std::nullopt;
     const swellray::SpectralGrid offshoreGrid = withHeadings(options.rays.grid, swellray::OffshoreDirections);
     const swellray::DirectionalSpectrum sea = ofFile
@@ -276,6 +279,7 @@ void vtkSwellSpectralMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "RaysPerDirection: " << this->RaysPerDirection << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "BreakingRule: " << this->BreakingRule << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Friction: " << this->Friction << "\n";
   os << indent << "OffshoreDepth: " << this->OffshoreDepth << "\n";

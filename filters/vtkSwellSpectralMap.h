@@ -58,6 +58,13 @@ public:
     TMA = 2
   };
 
+  enum BreakingRules // numbers of vtkSwellWaveHeight
+  {
+    NO_BREAKING = 0,
+    GAMMA_BREAKING = 1,
+    BATTJES_JANSSEN_BREAKING = 5
+  };
+
   enum EdgeRules
   {
     EDGE_CONTOURS = 0,
@@ -150,7 +157,22 @@ public:
   ///@}
 
   ///@{
-  /** Largest Hs over depth; default 0.6; 0: waves do not break. */
+  /**
+   * No breaking; Hs at most Gamma h (saturation, default); random waves of Battjes and Janssen along their ways, which are
+   * not to be had from a transfer file. Other numbers of vtkSwellWaveHeight are refused.
+   */
+  vtkSetMacro(BreakingRule, int);
+  vtkGetMacro(BreakingRule, int);
+  void SetBreakingRuleToNone() { this->SetBreakingRule(NO_BREAKING); }
+  void SetBreakingRuleToGamma() { this->SetBreakingRule(GAMMA_BREAKING); }
+  void SetBreakingRuleToBattjesJanssen() { this->SetBreakingRule(BATTJES_JANSSEN_BREAKING); }
+  ///@}
+
+  ///@{
+  /**
+   * Largest Hs over depth, or with Battjes-Janssen the breaker index; > 0, or 0 (default): 0.6, or by the steepness
+   * (Battjes and Stive 1985).
+   */
   vtkSetMacro(Gamma, double);
   vtkGetMacro(Gamma, double);
   ///@}
@@ -253,7 +275,8 @@ protected:
   int NumberOfDirections = 36;
   int RaysPerDirection = 1;
   double Tolerance = 1e-5;
-  double Gamma = 0.6;
+  int BreakingRule = GAMMA_BREAKING;
+  double Gamma = 0.0;
   double Friction = 0.0;
   double OffshoreDepth = std::numeric_limits<double>::infinity();
   double Gravity = 9.81;

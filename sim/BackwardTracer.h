@@ -71,6 +71,8 @@ public:
   BackwardTracer(const Seafloor& seafloor, const BackwardOptions& options);
   ~BackwardTracer();
 
+  const BackwardOptions& options() const { return this->Options; }
+
   /** Depth at a place, m; NaN in a hole and outside of the scene. */
   double depth(const glm::dvec2& place) const;
 
@@ -81,8 +83,8 @@ public:
   WaveOrigin trace(const glm::dvec2& place, double frequency, double heading) const;
 
   /**
-   * The same, with the way of the wave in its own sense: from where it came in (or where its ray, followed back, ended) to the place.
-   * Phase and time count from there; tubes have no width. Empty where no wave can be at the place.
+   * The same, with the way of the wave in its own sense: from where it came in (or where its ray, followed back, ended)
+   * to the place. Phase and time count from there; tubes have no width. Empty where no wave can be at the place.
    * @param stepsPerWave points a wavelength, > 0
    */
   WaveOrigin trace(

@@ -15,7 +15,7 @@ SeaTransfer::SeaTransfer(const SpectralRays& rays, const SpectralGrid& offshore,
   , Gamma(gamma)
 {
   offshore.validate();
-  SpectralSeaOptions{ rays, gamma }.validate();
+  SpectralSeaOptions{ rays, gamma ? BreakingRule::Gamma : BreakingRule::None, gamma }.validate();
   const std::size_t count = places.size();
   const std::size_t nodes = offshore.size();
   for (const SpectralOrigins& place : places)

@@ -18,7 +18,7 @@ public:
   /**
    * @param offshore grid of the spectra offshore; its frequencies must be those of the rays
    * @param places from traceOrigins() with these rays
-   * @param gamma as in SpectralSeaOptions
+   * @param gamma largest Hs over depth (saturation); none: waves do not break
    * @throws std::invalid_argument
    */
   SeaTransfer(const SpectralRays& rays, const SpectralGrid& offshore, const std::vector<SpectralOrigins>& places,

@@ -1,10 +1,13 @@
 #include "sim/SpectralSea.h"
 
+#include "sim/SpectralSurf.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <string>
 
 namespace swellray
 {
@@ -18,14 +21,27 @@ SeaParameters unknownSea()
   return { none, none, none, none, none, none, none };
 }
 
+void scale(DirectionalSpectrum& spectrum, double share)
+{
+  for (double& density : spectrum.density)
+  {
+    density *= share;
+  }
+}
+
 }
 
 void SpectralSeaOptions::validate() const
 {
   rays.validate();
+  if (breaking != BreakingRule::None && breaking != BreakingRule::Gamma && breaking != BreakingRule::BattjesJanssen)
+  {
+    throw std::invalid_argument(std::string("a sea has no breaking rule ") + breakingRuleName(breaking) +
+      "; it has none, gamma and battjes-janssen");
+  }
   if (gamma && !(*gamma > 0.0 && std::isfinite(*gamma)))
   {
-    throw std::invalid_argument("gamma, the largest Hs over depth, must be above 0");
+    throw std::invalid_argument("gamma must be above 0");
   }
 }
 
@@ -37,10 +53,7 @@ bool saturate(DirectionalSpectrum& spectrum, double depth, double gamma)
     return false;
   }
   const double share = gamma * depth / height;
-  for (double& density : spectrum.density)
-  {
-    density *= share * share;
-  }
+  scale(spectrum, share * share);
   return true;
 }
 
@@ -49,10 +62,14 @@ namespace
 
 // Seas at so many places; `originsOf` gives the origins of one, on any thread.
 std::vector<PlaceSea> transformPlaces(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,
-  std::size_t count, const std::function<SpectralOrigins(std::size_t)>& originsOf, const Execution& execution,
-  std::vector<DirectionalSpectrum>* spectra)
+  std::size_t count, const std::function<SpectralOrigins(std::size_t)>& originsOf, const SpectralSurf* surf,
+  const Execution& execution, std::vector<DirectionalSpectrum>* spectra)
 {
   options.validate();
+  if (options.breaking == BreakingRule::BattjesJanssen && !surf)
+  {
+    throw std::invalid_argument("breaking by Battjes and Janssen needs rays along the way, which kept ones are not");
+  }
   std::vector<PlaceSea> result(count);
   for (PlaceSea& sea : result)
   {
@@ -82,7 +99,14 @@ std::vector<PlaceSea> transformPlaces(const SpectralSeaOptions& options, const D
             continue;
           }
           SpectralTransfer(options.rays, offshore.grid, origins).apply(offshore.density, spectrum);
-          sea.breaking = options.gamma && saturate(spectrum, sea.depth, *options.gamma);
+          sea.breaking = options.breaking == BreakingRule::Gamma &&
+            saturate(spectrum, sea.depth, options.gamma.value_or(SaturationGamma));
+          if (surf)
+          {
+            const SpectralSurf::Outcome outcome = surf->at(origins.place, sea.depth, spectrum);
+            sea.breaking = outcome.breaking;
+            scale(spectrum, outcome.share);
+          }
           sea.known = true;
           sea.parameters = seaParameters(spectrum);
           if (spectra)
@@ -105,16 +129,23 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
   const DirectionalSpectrum& offshore, const std::vector<glm::dvec2>& places, const Execution& execution,
   std::vector<DirectionalSpectrum>* spectra)
 {
+  std::optional<SpectralSurf> surf;
+  if (options.breaking == BreakingRule::BattjesJanssen)
+  {
+    options.validate();
+    surf.emplace(tracer, options.rays, offshore, options.gamma);
+  }
   return transformPlaces(
     options, offshore, places.size(),
-    [&](std::size_t i) { return traceOrigins(tracer, options.rays, { places[i] }).front(); }, execution, spectra);
+    [&](std::size_t i) { return traceOrigins(tracer, options.rays, { places[i] }).front(); }, surf ? &*surf : nullptr,
+    execution, spectra);
 }
 
 std::vector<PlaceSea> transformSea(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,
   const std::vector<SpectralOrigins>& origins, const Execution& execution, std::vector<DirectionalSpectrum>* spectra)
 {
   return transformPlaces(
-    options, offshore, origins.size(), [&](std::size_t i) { return origins[i]; }, execution, spectra);
+    options, offshore, origins.size(), [&](std::size_t i) { return origins[i]; }, nullptr, execution, spectra);
 }
 
 }

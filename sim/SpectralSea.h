@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/Breaking.h"
 #include "sim/SpectralTransfer.h"
 
 #include <optional>
@@ -13,10 +14,11 @@ struct SpectralSeaOptions
   SpectralRays rays;
 
   /**
-   * Largest Hs over depth; none: waves do not break. Spectra of higher seas are scaled down as a whole (saturation,
-   * Thornton and Guza 1982, J. Geophys. Res. 87).
+   * What becomes of a sea that is too high for the depth; its spectrum is scaled down as a whole. None; Gamma: Hs <= gamma h
+   * (saturation, Thornton and Guza 1982, J. Geophys. Res. 87); BattjesJanssen: along the waves' ways (SpectralSurf).
    */
-  std::optional<double> gamma;
+  BreakingRule breaking = BreakingRule::None;
+  std::optional<double> gamma; ///< none: SaturationGamma, or with BattjesJanssen by the steepness
 
   /** @throws std::invalid_argument */
   void validate() const;
@@ -47,7 +49,7 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
   std::vector<DirectionalSpectrum>* spectra = nullptr);
 
 /**
- * The same from places that were traced before.
+ * The same from places that were traced before; not with BreakingRule::BattjesJanssen, which needs rays of its own.
  * @param origins from traceOrigins() with these rays
  */
 std::vector<PlaceSea> transformSea(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,

@@ -109,8 +109,8 @@ struct SpectrumRequest
   int directions = 36;
   int raysPerDirection = 1;
   double tolerance = 1e-5;
-  bool breaks = true;
-  double gamma = SaturationGamma; ///< largest Hs over depth
+  BreakingRule breaking = BreakingRule::Gamma;
+  std::optional<double> gamma; ///< largest Hs over depth, or breaker index
   double friction = 0.0;          ///< m2/s3
 };
 

@@ -57,7 +57,8 @@ void setUp(vtkSwellSpectralMap* filter, const Request& request)
   filter->SetNumberOfDirections(sea.directions);
   filter->SetRaysPerDirection(sea.raysPerDirection);
   filter->SetTolerance(sea.tolerance);
-  filter->SetGamma(sea.breaks ? sea.gamma : 0.0);
+  filter->SetBreakingRule(static_cast<int>(sea.breaking));
+  filter->SetGamma(sea.gamma.value_or(0.0));
   filter->SetFriction(sea.friction);
   filter->SetOffshoreDepth(request.rays.wave.offshoreDepth);
   filter->SetGravity(request.rays.wave.gravity);
@@ -260,7 +261,8 @@ void runSpectrum(const Request& request, Console& console)
     if (series)
     {
       const TransferTable& table = filter->GetTransferTable();
-      const std::optional<double> gamma = sea.breaks ? std::optional<double>(sea.gamma) : std::nullopt;
+      const std::optional<double> gamma =
+        sea.breaking == BreakingRule::Gamma ? std::optional<double>(sea.gamma.value_or(SaturationGamma)) : std::nullopt;
       const SeriesOutcome outcome =
         writeSeaSeries(*series, table.rays, table.places, gamma, *stations, *tableFile, console);
       console.say(
@@ -348,6 +350,11 @@ void checkSpectrum(Request& request)
   {
     throw UsageError("spectrum needs --direction DEG");
   }
+  if (sea.breaking == BreakingRule::BattjesJanssen && !(sea.series.empty() && sea.transfer.empty()))
+  {
+    throw UsageError("--breaking battjes-janssen traces rays for each sea alone: leave out --series and --transfer, or "
+                     "choose --breaking gamma");
+  }
   if (sea.shape == SpectrumShape::Tma && !std::isfinite(request.rays.wave.offshoreDepth))
   {
     throw UsageError("--shape tma needs --offshore-depth M, the depth in which it holds");
@@ -426,9 +433,11 @@ CommandSpec spectrumSpec(Request& request)
   add(spec.options, offshoreOptions(request.rays));
   const char* group = "Heights";
   add(spec.options,
-    { choice("--breaking", "limit of the height in shallow water", "gamma", group, sea.breaks,
-        std::vector<std::pair<std::string, bool>>{ { "gamma", true }, { "none", false } }),
-      number("--gamma", "G", "largest Hs over depth", "0.6", group, sea.gamma, PositiveNumber),
+    { choice("--breaking", "what limits the height in shallow water", "gamma", group, sea.breaking,
+        std::vector<std::pair<std::string, BreakingRule>>{ { "gamma", BreakingRule::Gamma },
+          { "battjes-janssen", BreakingRule::BattjesJanssen }, { "none", BreakingRule::None } }),
+      number("--gamma", "G", "largest Hs over depth; battjes-janssen: breaker index",
+        "0.6; battjes-janssen: by the steepness", group, sea.gamma, PositiveNumber),
       number("--friction", "C", "bottom friction coefficient, m2/s3 (0.038: swell over sand)", "0", group, sea.friction,
         NonNegativeNumber) });
   add(spec.options, seafloorOptions(request.seafloor.options));

@@ -7,6 +7,11 @@ swellray_cli_test(spectrum_stations 0
 swellray_cli_test(spectrum_spectra 0 "offshore Hs 2 m.*wrote    t.csv and s.sp2" ""
   "${spectrum} --stations $IN/points.csv --table t.csv --spectra s.sp2 2>err && head -c 4 s.sp2 | grep -q SWAN && $SWELLRAY spectrum plane --boundary s.sp2 --frequencies 4 --directions 16 --map m.vti --map-spacing 400 --quiet")
 swellray_cli_test(spectrum_map 0 "map .*wrote    m.nc" "" "${spectrum} --map m.nc --map-spacing 400 && test -s m.nc")
+swellray_cli_test(spectrum_random_breaking 0 "^x,y,name,.*\n50,100,buoy,1,0\\.[3-9][0-9]*,.*,1\n.*" ""
+  "${spectrum} --breaking battjes-janssen --quiet --stations $IN/points.csv --table t.csv 2>err; code=$?; cat t.csv; exit $code")
+swellray_cli_test(spectrum_random_breaking_kept 2 "" "leave out --series and --transfer"
+  "${spectrum} --breaking battjes-janssen --stations $IN/points.csv --table t.csv --transfer k.nc")
+swellray_cli_test(spectrum_rule 2 "" "--breaking" "${spectrum} --breaking dally --map m.vti")
 swellray_cli_test(spectrum_nothing_to_write 2 "" "nothing to write" "${spectrum}")
 swellray_cli_test(spectrum_no_sea 2 "" "one of four ways" "$SWELLRAY spectrum plane --direction 90 --map m.vti")
 swellray_cli_test(spectrum_two_seas 2 "" "one of four ways" "${spectrum} --wind 10 --map m.vti")

@@ -53,7 +53,7 @@ struct Scene
     this->Map->SetSignificantHeight(1.0);
     this->Map->SetPeakPeriod(10.0);
     this->Map->SetDirectionFrom(60.0);
-    this->Map->SetGamma(0.0);
+    this->Map->SetBreakingRuleToNone();
   }
 
   double value(const char* name, vtkIdType i = 0)
@@ -117,6 +117,7 @@ TEST(SpectralMap, TheDepthLimitsTheSea)
 {
   Scene scene;
   scene.Map->SetSignificantHeight(3.0);
+  scene.Map->SetBreakingRuleToGamma();
   scene.Map->SetGamma(0.5);
   scene.Map->Update();
   EXPECT_NEAR(scene.value("SignificantWaveHeight", 1), 0.5, 1e-9); // 1 m deep

@@ -114,7 +114,7 @@ class SameAsProgram(FolderCase):
         path = self.folder / "sea.vti"
         program("spectrum", "babbage", "--wind", 8, "--direction", 15, "--breaking", "none", "--frequencies", 6,
                 "--directions", 12, "--map", path, "--map-spacing", 200, "--quiet")
-        sea = self.seafloor.spectrum(wind=8, direction=15, breaking=False, frequencies=6, directions=12, spacing=200)
+        sea = self.seafloor.spectrum(wind=8, direction=15, breaking="none", frequencies=6, directions=12, spacing=200)
         expected = swellray.Map(read_vtk(path))
         numpy.testing.assert_array_equal(sea["SignificantWaveHeight"], expected["SignificantWaveHeight"])
         numpy.testing.assert_array_equal(sea["MeanDirectionFrom"], expected["MeanDirectionFrom"])

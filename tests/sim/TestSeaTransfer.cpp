@@ -23,6 +23,7 @@ struct Scene
   {
     this->Options.rays.grid = SpectralGrid::logarithmic(0.06, 0.3, 8, 24);
     this->Options.rays.perDirection = 2;
+    this->Options.breaking = BreakingRule::Gamma;
     this->Options.gamma = 0.5;
     this->Origins = traceOrigins(this->Tracer, this->Options.rays, { { 400.0, 0.0 }, { 50.0, 30.0 }, { -50.0, 0.0 } });
     this->Offshore = { this->Options.rays.grid.frequencies, SpectralGrid::logarithmic(0.1, 1.0, 2, 72).headings };

@@ -274,7 +274,7 @@ class Seafloor(Map):
     def spectrum(self, *, direction=None, hs=None, tp=None, spread=25.0, shape="jonswap", peakedness=None, wind=None,
                  fetch=None, boundary=None, stations=None, coordinates="file", spacing=None, frequencies=20,
                  directions=36, rays_per_direction=1, frequency_range=None, transfer=None, tolerance=None,
-                 edge="contours", shore_normal=None, current=None, offshore_depth=None, gravity=None, breaking=True,
+                 edge="contours", shore_normal=None, current=None, offshore_depth=None, gravity=None, breaking="gamma",
                  gamma=None, friction=None, progress=None):
         """A sea from offshore: SignificantWaveHeight (m), PeakPeriod, MeanPeriod, ZeroCrossingPeriod, EnergyPeriod (s),
         MeanDirectionFrom, DirectionalSpread (degrees), Depth (m), Breaking; a Map, or Stations where these are given.
@@ -295,8 +295,8 @@ class Seafloor(Map):
         frequencies, directions, rays_per_direction: rays back from each place
         frequency_range: (lowest, highest) of the rays, Hz; default: the band that holds 99.5 % of the energy
         transfer: keep the rays in this file (.nc), and take from it those that it has: other seas cost little then
-        breaking: limit the heights by the depth
-        gamma: largest Hs over depth; default 0.6
+        breaking: "none", "gamma" or "battjes-janssen"
+        gamma: largest Hs over depth, default 0.6; with battjes-janssen breaker index, default by the steepness
         friction: bottom friction coefficient, m2/s3 (0.038: swell over sand); default 0
         The others as in trace().
         """
@@ -308,7 +308,7 @@ class Seafloor(Map):
             directions=directions, rays_per_direction=rays_per_direction, frequency_range=frequency_range,
             transfer=transfer, tolerance=tolerance, edge=edge,
             shore_normal=shore_normal, current=current, offshore_depth=offshore_depth, gravity=gravity,
-            gamma=gamma if breaking else 0.0, friction=friction, water_level=self.water_level)
+            breaking=breaking, gamma=gamma, friction=friction, water_level=self.water_level)
         places = self._nodes(spacing) if stations is None else self.places(stations, coordinates)
         algorithm.SetInputDataObject(0, places)
         algorithm.SetInputDataObject(1, self._vtk)

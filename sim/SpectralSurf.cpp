@@ -1,0 +1,181 @@
+#include "sim/SpectralSurf.h"
+
+#include "sim/Angles.h"
+#include "sim/Dispersion.h"
+
+#include <glm/geometric.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace swellray
+{
+
+namespace
+{
+
+constexpr double PointsPerWave = 8.0;
+constexpr std::size_t MostKnots = 6;
+
+// Directions with less energy than this share of the main one's are not followed.
+constexpr double LeastPart = 0.05;
+
+// Waves of Hrms/Hm below 0.3 lose nothing (Qb = 1.5e-5): of Hs below a quarter of the depth, with some room for refraction.
+constexpr double SurfReach = 4.0 * 1.5;
+
+SurfSample sampleOf(double depth, double wavenumber, double groupSpeed, double height)
+{
+  SurfSample sample;
+  sample.depth = depth;
+  sample.wavenumber = wavenumber;
+  sample.groupSpeed = groupSpeed;
+  sample.lossless = height;
+  return sample;
+}
+
+}
+
+SpectralSurf::SpectralSurf(const BackwardTracer& tracer, const SpectralRays& rays, const DirectionalSpectrum& offshore,
+  std::optional<double> gamma)
+  : Tracer(tracer)
+  , Rays(rays)
+  , Offshore(offshore)
+{
+  if (gamma && !(*gamma > 0.0 && std::isfinite(*gamma)))
+  {
+    throw std::invalid_argument("gamma, the breaker index, must be above 0");
+  }
+  const SeaParameters sea = seaParameters(offshore);
+  this->Height = sea.significantHeight;
+  this->Period = sea.peakPeriod;
+  const double omega = 2.0 * Pi / sea.peakPeriod;
+  const double gravity = tracer.options().gravity;
+  const double depth = tracer.options().offshoreDepth;
+  const double k = solveWavenumber(omega, depth, gravity);
+  const double inDeepWater = std::sqrt(waveSpeeds(k, depth, gravity).groupSpeed * 2.0 * omega / gravity);
+  const double length = 2.0 * Pi * gravity / (omega * omega);
+  this->Gamma = gamma.value_or(battjesStiveGamma(this->Height / std::sqrt(2.0) * inDeepWater / length));
+}
+
+double SpectralSurf::rootMeanSquareHeight(const glm::dvec2& place) const
+{
+  const std::vector<SpectralOrigins> origins = traceOrigins(this->Tracer, this->Rays, { place });
+  if (origins.front().headings.empty())
+  {
+    return std::nan("");
+  }
+  DirectionalSpectrum spectrum;
+  SpectralTransfer(this->Rays, this->Offshore.grid, origins.front()).apply(this->Offshore.density, spectrum);
+  return seaParameters(spectrum).significantHeight / std::sqrt(2.0);
+}
+
+double SpectralSurf::shareAlong(const std::vector<RayPoint>& way, const SurfRule& rule, double height) const
+{
+  const double highest = std::max(this->Height, height * std::sqrt(2.0));
+  const auto first =
+    std::find_if(way.begin(), way.end() - 1, [&](const RayPoint& p) { return p.depth < SurfReach * highest; });
+  const auto begin = static_cast<std::size_t>(first - way.begin());
+
+  // Height over shoaling coefficient, up to a factor, at knots: the last is the place itself.
+  const auto groupSpeed = [&](const RayPoint& p)
+  {
+    Frequency f;
+    evaluateFrequency(glm::length(p.wavenumber), p.depth, rule.gravity, f);
+    return f.k;
+  };
+  const std::size_t last = way.size() - 1;
+  const auto waves = static_cast<std::size_t>(std::ceil(static_cast<double>(last - begin) / PointsPerWave));
+  const std::size_t knots = std::min(waves + 1, MostKnots);
+  std::vector<double> at;
+  std::vector<double> flux;
+  for (std::size_t i = 0; i < knots; ++i)
+  {
+    const std::size_t j = knots > 1 ? begin + i * (last - begin) / (knots - 1) : last;
+    const double there = j == last ? height : this->rootMeanSquareHeight(way[j].position);
+    if (there > 0.0)
+    {
+      at.push_back(static_cast<double>(j));
+      flux.push_back(there * std::sqrt(groupSpeed(way[j])));
+    }
+  }
+  std::size_t next = 0;
+  const auto sample = [&](std::size_t j)
+  {
+    const auto x = static_cast<double>(j);
+    while (next + 1 < at.size() && at[next] < x)
+    {
+      ++next;
+    }
+    double here = flux[next];
+    if (next > 0 && x < at[next])
+    {
+      const double w = (x - at[next - 1]) / (at[next] - at[next - 1]);
+      here = (1.0 - w) * flux[next - 1] + w * flux[next];
+    }
+    const double speed = groupSpeed(way[j]);
+    return sampleOf(way[j].depth, glm::length(way[j].wavenumber), speed, here / std::sqrt(speed));
+  };
+  BreakingMarch march(rule, sample(begin));
+  for (std::size_t j = begin + 1; j <= last; ++j)
+  {
+    march.advance(
+      sample(j), way[j].travelTime - way[j - 1].travelTime, glm::length(way[j].position - way[j - 1].position));
+  }
+  return march.share();
+}
+
+SpectralSurf::Outcome SpectralSurf::at(const glm::dvec2& place, double depth, const DirectionalSpectrum& unbroken) const
+{
+  const double height = seaParameters(unbroken).significantHeight / std::sqrt(2.0);
+  if (!(height > 0.0) || !std::isfinite(this->Period))
+  {
+    return {};
+  }
+  const double gravity = this->Tracer.options().gravity;
+  SurfRule rule;
+  rule.breaking = BreakingRule::BattjesJanssen;
+  rule.gamma = this->Gamma;
+  rule.period = this->Period;
+  rule.gravity = gravity;
+  rule.deepHeight = this->Height;
+
+  // The sea's directions at the frequency nearest to its peak, by the energy in each.
+  const std::vector<double>& headings = unbroken.grid.headings;
+  std::size_t peak = 0;
+  for (std::size_t f = 1; f < unbroken.grid.frequencies.size(); ++f)
+  {
+    const auto distance = [&](std::size_t i) { return std::abs(unbroken.grid.frequencies[i] - 1.0 / this->Period); };
+    peak = distance(f) < distance(peak) ? f : peak;
+  }
+  double most = 0.0;
+  for (std::size_t j = 0; j < headings.size(); ++j)
+  {
+    most = std::max(most, unbroken.at(peak, j));
+  }
+  double energy = 0.0;
+  double left = 0.0;
+  std::vector<RayPoint> way;
+  for (std::size_t j = 0; j < headings.size(); ++j)
+  {
+    const double part = unbroken.at(peak, j);
+    if (!(part > LeastPart * most))
+    {
+      continue;
+    }
+    const double frequency = unbroken.grid.frequencies[peak];
+    const WaveOrigin origin = this->Tracer.trace(place, frequency, headings[j], PointsPerWave, way);
+    if (std::isfinite(origin.heading) && way.size() > 1)
+    {
+      energy += part;
+      left += part * this->shareAlong(way, rule, height);
+    }
+  }
+  const double share = energy > 0.0 ? left / energy : 1.0;
+  const double k = solveWavenumber(2.0 * Pi / this->Period, depth, gravity);
+  const BreakingMarch here(
+    rule, sampleOf(depth, k, waveSpeeds(k, depth, gravity).groupSpeed, height * std::sqrt(share)));
+  return { share * here.share(), here.broken() };
+}
+
+}
