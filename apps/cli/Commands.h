@@ -20,5 +20,6 @@ CommandSpec viewSpec(Request& request);
 CommandSpec validateSpec(Request& request);
 CommandSpec againSpec(Request& request);
 CommandSpec listSpec();
+CommandSpec completionSpec();
 
 }

@@ -20,6 +20,7 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     validateSpec(request),
     againSpec(request),
     listSpec(),
+    completionSpec(),
   };
 }
 
