@@ -56,6 +56,11 @@ class Header:
             prop: range(self.number(low), self.number(high) + 1)
             for prop, low, high in re.findall(r"vtkSetClampMacro\((\w+), int, (\w+), (\w+)\)", self.text)
         }
+        # Choices with gaps between their numbers are those of the enumeration of that name.
+        for prop in re.findall(r"vtkSetMacro\((\w+), int\)", self.text):
+            words = re.search(rf"enum {prop}s\b[^{{]*{{([^}}]*)}}", self.text)
+            if words:
+                self.choices[prop] = [int(number) for number in re.findall(r"= (\d+)", words.group(1))]
 
     def number(self, word):
         return int(word) if word.isdigit() else self.numbers[word]
