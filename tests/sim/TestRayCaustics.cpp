@@ -244,6 +244,75 @@ TEST(RayCaustics, neighboursAreOfTheSameKind)
   EXPECT_TRUE(std::isnan(field.caustics[3].alongRate)); // touches another caustic
 }
 
+TEST(RayCaustics, aWaveBreaksByTheUniformHeight)
+{
+  // The rays of a fold with their heights over a level bed, so that only refraction makes the wave higher there.
+  const PlaneFold fold(Folds[0]);
+  const RayField field = fold.trace({ 0.0, 30.0, 60.0 }, 1.5 * fold.turningPhase(), 2.0 * swellray::Pi / 64.0);
+  ASSERT_EQ(field.caustics.size(), 3u);
+  const std::size_t count = field.pointCount(1);
+  const double level = 20.0;
+  std::vector<double> phase, k, kr;
+  for (std::size_t i = field.offsets[1]; i < field.offsets[1] + count; ++i)
+  {
+    phase.push_back(field.points[i].phase);
+    k.push_back(glm::length(field.points[i].wavenumber));
+    kr.push_back(refractionCoefficient(field.points[i].tubeWidth));
+  }
+  const std::vector<double> depth(count, level), groupSpeed(count, 10.0), shoaling(count, 1.0);
+  const std::vector<std::uint8_t> state(count, static_cast<std::uint8_t>(RayState::Alive));
+  RayProfile profile;
+  profile.count = count;
+  profile.depth = depth.data();
+  profile.wavenumber = k.data();
+  profile.groupSpeed = groupSpeed.data();
+  profile.shoaling = shoaling.data();
+  profile.krSpacing = profile.krTube = kr.data();
+  profile.state = state.data();
+  profile.phase = phase.data();
+  profile.caustics = &field.caustics[1];
+  profile.causticCount = 1;
+  IncidentWave wave;
+  wave.period = Folds[0].period;
+  HeightOptions options;
+  options.gamma = 0.8;
+  RayHeights heights;
+  const auto run = [&](BreakingRule breaking, double height)
+  {
+    wave.height = height;
+    options.breaking = breaking;
+    computeHeights(profile, wave, options, heights);
+  };
+  run(BreakingRule::None, 1.0);
+  const std::vector<double> uniform = heights.refraction;
+  const double peak = *std::max_element(uniform.begin(), uniform.end());
+  ASSERT_GT(peak, 1.2 * uniform.front());
+
+  // Just lower than the limit: no breaking, where the height by the rays alone, as high as you like, breaks.
+  const double limit = 0.8 * level;
+  run(BreakingRule::Gamma, 0.999 * limit / peak);
+  EXPECT_EQ(std::count(heights.breaking.begin(), heights.breaking.end(), 1), 0);
+  options.caustics = CausticRule::Geometric;
+  run(BreakingRule::Gamma, 0.999 * limit / peak);
+  EXPECT_GT(std::count(heights.breaking.begin(), heights.breaking.end(), 1), 0);
+
+  // Higher: the wave is as high as the depth allows up to its peak, and what it has lost there does not come back.
+  options.caustics = CausticRule::Uniform;
+  const double height = 1.1 * limit / peak;
+  run(BreakingRule::Gamma, height);
+  const auto top = static_cast<std::size_t>(std::max_element(uniform.begin(), uniform.end()) - uniform.begin());
+  std::size_t broken = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double unbroken = height * uniform[i];
+    const bool breaks = i <= top && unbroken > limit;
+    broken += breaks ? 1 : 0;
+    EXPECT_EQ(heights.breaking[i], breaks ? 1 : 0) << i;
+    EXPECT_NEAR(heights.height[i], i <= top ? std::min(unbroken, limit) : unbroken / 1.1, 1e-12 * limit) << i;
+  }
+  EXPECT_GT(broken, 3u);
+}
+
 TEST(RayCaustics, heightsAreTheModulusOfAPlaneFold)
 {
   // phi = sqrt(pi) z0^(1/4) (Ai^2 + Bi^2)^(1/2)(-z) of one branch, of unit amplitude in the approximation of rays at x = 0;

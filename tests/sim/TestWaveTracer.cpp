@@ -249,6 +249,42 @@ TEST(WaveTracer, SpacingAndTubeAgreeToSecondOrder)
   EXPECT_NEAR(std::log2(medium / fine), 2.0, 0.3);
 }
 
+TEST(WaveTracer, SpacingAndTubeAgreeToSecondOrderUpToACaustic)
+{
+  // Behind a shoal, where tubes have narrowed down to a fifth, before they have no width.
+  const auto seafloor = makeBuiltinSeafloor("shoal:kind=gauss,h0=20,a=12,sg=300,x0=-1300,y0=-600,x1=1800,y1=600");
+  IncidentWave wave;
+  wave.period = 10.0;
+  wave.directionFrom = 270.0;
+  std::size_t compared = 0;
+  const auto worst = [&](double spacing)
+  {
+    TraceOptions options;
+    options.spacing = spacing;
+    options.insertion = InsertionRule::None;
+    options.tolerance = 1e-11;
+    const RayField field = traceWaves(*seafloor, wave, options);
+    double error = 0.0;
+    compared = 0;
+    for (const RayPoint& point : field.points)
+    {
+      if (point.front != BetweenFronts && point.caustics == 0 && point.tubeWidth > 0.2 && point.tubeWidth < 0.5)
+      {
+        error = std::max(error, std::abs(point.spacingWidth / point.tubeWidth - 1.0));
+        ++compared;
+      }
+    }
+    return error;
+  };
+  const double coarse = worst(2.0);
+  const double medium = worst(1.0);
+  const double fine = worst(0.5);
+  EXPECT_GT(compared, 1000u);
+  EXPECT_GT(fine, 1e-6); // there is something to measure
+  EXPECT_NEAR(std::log2(coarse / medium), 2.0, 0.5);
+  EXPECT_NEAR(std::log2(medium / fine), 2.0, 0.3);
+}
+
 TEST(WaveTracer, UnequalSpacingIsOfSecondOrderToo)
 {
   // Inserted rays make neighbours stand at unequal distances; the widths must not show it.
