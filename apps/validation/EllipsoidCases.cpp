@@ -215,7 +215,7 @@ Outcome runGeodesics(const Setting& setting)
     "the error of a step is held to the tolerance, and so is their sum", Check::Ask::AtLeast });
   char title[80];
   std::snprintf(title, sizeof title, "error over tolerance: order %.2f", order);
-  outcome.plots = { { "rays", "longitude (degrees)", "latitude (degrees)", { exactPath, path }, false, true },
+  outcome.plots = { { "rays", "longitude (degrees)", "latitude (degrees)", { exactPath, path }, false, false },
     { title, "tolerance of a step", "position (m)", { fittedLine(dots, order), dots }, true, false } };
   return outcome;
 }
@@ -385,7 +385,7 @@ Outcome runZones(const Zones& zones, const Setting& setting)
     "the error of a step is held to the tolerance, and so is their sum", Check::Ask::AtLeast });
   char title[80];
   std::snprintf(title, sizeof title, "error over tolerance: order %.2f", order);
-  outcome.plots = { { "rays", "longitude (degrees)", "latitude (degrees)", { exactPath, path }, false, true },
+  outcome.plots = { { "rays", "longitude (degrees)", "latitude (degrees)", { exactPath, path }, false, false },
     { title, "tolerance of a step", "position (m)", { fittedLine(dots, order), dots }, true, false } };
   Plot plot{ "on grids in longitude and latitude", "spacing (degrees)", "largest error", {}, true, false };
   Series onGrid{ "position (m)", Series::Look::Dots, {}, {} };

@@ -250,8 +250,12 @@ Outcome berkhoff(const Setting& setting)
   };
   Outcome outcome;
   outcome.numbers.columns = { "x_m", "y_m", "H_over_H0" };
-  Series across{ "x = 5 m", Series::Look::Line, {}, {} };
-  Series along{ "y = 0", Series::Look::Line, {}, {} };
+  const std::string fine = fmt::format("elements of {:g} m", spacings.back());
+  const std::string coarse = fmt::format("elements of {:g} m", spacings.front());
+  Series across{ fine, Series::Look::Line, {}, {} };
+  Series acrossCoarse{ coarse, Series::Look::Dots, {}, {} };
+  Series along{ fine, Series::Look::Line, {}, {} };
+  Series alongCoarse{ coarse, Series::Look::Dots, {}, {} };
   for (const glm::dvec2& place : places)
   {
     const double height = std::abs(fields.back().surface(place));
@@ -259,14 +263,16 @@ Outcome berkhoff(const Setting& setting)
     if (place.x == 5.0 && std::abs(place.y) <= 5.0 && outcome.numbers.rows.size() <= 505)
     {
       across.add(place.y, height);
+      acrossCoarse.add(place.y, std::abs(fields.front().surface(place)));
     }
   }
   for (double x = 0.0; x <= 10.0; x += 0.05)
   {
     along.add(x, std::abs(fields.back().surface({ x, 0.0 })));
+    alongCoarse.add(x, std::abs(fields.front().surface({ x, 0.0 })));
   }
-  outcome.plots.push_back({ "section 3", "y (m)", "H/H0", { across }, false, false });
-  outcome.plots.push_back({ "section 7", "x (m)", "H/H0", { along }, false, false });
+  outcome.plots.push_back({ "section 3: x = 5 m", "y (m)", "H/H0", { across, acrossCoarse }, false, false });
+  outcome.plots.push_back({ "section 7: y = 0", "x (m)", "H/H0", { along, alongCoarse }, false, false });
   const std::size_t last = fields.size() - 1;
   outcome.checks.push_back({ setting.quick ? "H/H0, 0.14 to 0.1 m" : "H/H0, 0.07 to 0.05 m",
     change(fields[last - 1], fields[last]), setting.quick ? 0.04 : 0.01, "heights to 1e-2 of the incident one" });
