@@ -1,5 +1,6 @@
 #include "Observers.h"
 
+#include "bathymetry/SeafloorReader.h"
 #include "bathymetry/SeafloorReport.h"
 #include "sim/BuiltinSeafloor.h"
 #include "vtkSwellSeafloorReader.h"
@@ -11,10 +12,12 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkStringArray.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <chrono>
 #include <cmath>
+#include <sstream>
 
 namespace
 {
@@ -222,6 +225,69 @@ TEST(SeafloorReader, readsAgainWhereAFileChangesThatItsFileNames)
   EXPECT_EQ(elevations(), local);
   std::filesystem::last_write_time(beside, std::filesystem::last_write_time(beside) + std::chrono::seconds(2));
   EXPECT_NE(elevations(), local);
+}
+
+TEST(SeafloorReader, imagesInFilesPlaceTheirPointsBackToAMillimetre)
+{
+  const TemporaryFolder folder;
+  constexpr double Millimetre = 1e-3; // and less where the unit is a foot
+  const struct
+  {
+    const char* crs;
+    double west;
+    double south;
+    double size;
+  } cases[] = { { "local", 100.1, 200.2, 10.0 }, { "EPSG:32618", 583960.12345, 4507523.65432, 10.0 },
+    { "EPSG:2263", 981234.56789, 150123.45678, 30.0 }, { "EPSG:4326", -155.0712345678, 19.7412345678, 0.001 },
+    { "EPSG:4326", 179.9961234567, -16.5, 0.001 } };
+  for (const auto& one : cases)
+  {
+    std::ostringstream words;
+    words.precision(15);
+    words << "ncols 9\nnrows 9\nxllcenter " << one.west << "\nyllcenter " << one.south << "\ncellsize " << one.size
+          << "\n";
+    for (int i = 0; i < 81; ++i)
+    {
+      words << -5.0 - i << ' ';
+    }
+    const std::string path = folder.write("grid.asc", words.str());
+    vtkNew<vtkSwellSeafloorReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->SetCRS(one.crs);
+    const std::string kept = folder.file("kept.vti");
+    vtkNew<vtkXMLImageDataWriter> writer;
+    writer->SetInputConnection(reader->GetOutputPort());
+    writer->SetFileName(kept.c_str());
+    ASSERT_EQ(writer->Write(), 1) << one.crs;
+    vtkNew<vtkXMLImageDataReader> back;
+    back->SetFileName(kept.c_str());
+    back->Update();
+    vtkImageData* image = back->GetOutput();
+    // From the numbers in the file alone.
+    const swellray::Georeference place(fieldText(image, "CRS"),
+      { fieldNumber(image, "OriginLongitude"), fieldNumber(image, "OriginLatitude") },
+      { fieldNumber(image, "OriginX"), fieldNumber(image, "OriginY") });
+    swellray::SeafloorOptions options;
+    options.crs = one.crs;
+    const swellray::Bathymetry read = swellray::readSeafloor(path, options);
+    const bool degrees = place.kind() == swellray::GeoreferenceKind::Geographic;
+    for (const vtkIdType i : { vtkIdType(0), vtkIdType(7), image->GetNumberOfPoints() - 1 })
+    {
+      double p[3];
+      image->GetPoint(i, p);
+      const glm::dvec2 found = place.toFile({ p[0], p[1] });
+      const glm::dvec2 known = read.georeference.toFile({ p[0], p[1] });
+      EXPECT_NEAR(found.x, known.x, degrees ? Millimetre / 1.2e5 : Millimetre) << one.crs;
+      EXPECT_NEAR(found.y, known.y, degrees ? Millimetre / 1.2e5 : Millimetre) << one.crs;
+      if (!degrees) // the nodes are the file's own
+      {
+        const auto column = static_cast<double>(i % 9);
+        const auto row = static_cast<double>(i / 9);
+        EXPECT_NEAR(found.x, one.west + column * one.size, Millimetre) << one.crs;
+        EXPECT_NEAR(found.y, one.south + row * one.size, Millimetre) << one.crs;
+      }
+    }
+  }
 }
 
 TEST(SeafloorReader, readsItsOwnImagesBack)
