@@ -231,11 +231,17 @@ TransferTable read(GDALGroup& root)
 
 }
 
+std::string transferTablePart(const std::string& path)
+{
+  const std::filesystem::path target(path);
+  return (target.parent_path() / ("." + target.filename().string() + ".part")).string();
+}
+
 void writeTransferTable(const std::string& path, const TransferTable& table, const std::string& history)
 {
   namespace fs = std::filesystem;
   const fs::path target(path);
-  const std::string temporary = (target.parent_path() / ("." + target.filename().string() + ".part")).string();
+  const std::string temporary = transferTablePart(path);
   try
   {
     write(temporary, table, history);

@@ -27,6 +27,9 @@ struct TransferTable
  */
 void writeTransferTable(const std::string& path, const TransferTable& table, const std::string& history);
 
+/** Name under which writeTransferTable() writes a file until it is whole: that of a hidden file beside it. */
+std::string transferTablePart(const std::string& path);
+
 /** @throws std::runtime_error naming the file and what is wrong with it */
 TransferTable readTransferTable(const std::string& path);
 

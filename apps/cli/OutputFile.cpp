@@ -54,6 +54,14 @@ int remember(const std::string& path)
   return -1;
 }
 
+void forget(int slot)
+{
+  if (slot >= 0)
+  {
+    unfinished[static_cast<std::size_t>(slot)].used = false;
+  }
+}
+
 }
 
 OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& inputs)
@@ -89,10 +97,7 @@ OutputFile::OutputFile(const std::string& path, const std::vector<std::string>& 
   if (file < 0)
   {
     const int error = errno;
-    if (this->Slot >= 0)
-    {
-      unfinished[static_cast<std::size_t>(this->Slot)].used = false;
-    }
+    forget(this->Slot);
     throw WorkError(fmt::format("cannot write '{}': {}", path, std::strerror(error)));
   }
   close(file);
@@ -104,10 +109,17 @@ OutputFile::~OutputFile()
   {
     unlink(this->Temporary.c_str());
   }
-  if (this->Slot >= 0)
-  {
-    unfinished[static_cast<std::size_t>(this->Slot)].used = false;
-  }
+  forget(this->Slot);
+}
+
+UnfinishedFile::UnfinishedFile(const std::string& path)
+  : Slot(path.empty() ? -1 : remember(path))
+{
+}
+
+UnfinishedFile::~UnfinishedFile()
+{
+  forget(this->Slot);
 }
 
 void OutputFile::fail(const std::string& reason) const

@@ -46,6 +46,20 @@ private:
   int Slot = -1;
 };
 
+/** A hidden file that is written by others: removed by SIGINT and SIGTERM while this is there. */
+class UnfinishedFile
+{
+public:
+  /** @param path empty: none */
+  explicit UnfinishedFile(const std::string& path);
+  ~UnfinishedFile();
+  UnfinishedFile(const UnfinishedFile&) = delete;
+  UnfinishedFile& operator=(const UnfinishedFile&) = delete;
+
+private:
+  int Slot = -1;
+};
+
 /** Remove unfinished files on SIGINT and SIGTERM; let a write past the size limit fail instead of killing us. */
 void installSignalHandlers();
 

@@ -214,6 +214,8 @@ void runSpectrum(const Request& request, Console& console)
   const OutputFile* const tableFile = open(request.output.table);
   const OutputFile* const spectraFile = open(request.output.spectra);
   const OutputFile* const elevationFile = open(request.output.elevations);
+  const UnfinishedFile transferPart(
+    request.spectrum.transfer.empty() ? std::string() : transferTablePart(request.spectrum.transfer));
   std::optional<StationTable> stations;
   if (!request.map.stations.empty())
   {

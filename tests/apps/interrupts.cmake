@@ -24,3 +24,14 @@ interrupt_test(render "$SWELLRAY render $IN/beach.asc -o p.png")
 interrupt_test(surface_series "$SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.25 -o s.pvd")
 interrupt_test(spectrum "$SWELLRAY spectrum plane --hs 2 --tp 10 --direction 90 --frequencies 4 --directions 16 --stations $IN/no_heading.csv --table t.csv --spectra s.sp2")
 interrupt_test(validate "$SWELLRAY validate --case c1,c2 --report report")
+set(interrupt_sea "$SWELLRAY sea --hs 1 --tp 5 --direction 240 --components 40")
+interrupt_test(sea "${interrupt_sea} --tile --size 150 --spacing 1 -o s.vtp --pixels 256 --height-map h.png --normal-map n.tif --picture p.png --picture-size 400x400")
+interrupt_test(sea_series "${interrupt_sea} --size 100 --spacing 4 --times 0:2:0.25 -o s.pvd")
+interrupt_test(elevations "$SWELLRAY spectrum plane --hs 2 --tp 10 --direction 90 --frequencies 4 --directions 16 --stations $IN/no_heading.csv --elevation-series e.csv --transfer k.nc")
+
+# What is made again is as whole: the record lies beside the folder in which the calls are broken off.
+foreach(signal INT TERM KILL)
+  swellray_cli_test(${signal}_again 0 "^stopped [0-9]" ""
+    "$SWELLRAY trace plane:facing=270 ${slow} --quiet -o r.vtp --crests c.vtp --map m.nc && mkdir again && cd again && ${interrupt} ${signal} $SWELLRAY again ../r.vtp --into .")
+  set_tests_properties(apps.${signal}_again PROPERTIES TIMEOUT 300)
+endforeach()
