@@ -30,9 +30,20 @@ void SurfaceWaves::update(vtkInformationVector* port, int first, vtkImageData* i
   this->Waves = std::move(waves);
   if (!same || !this->Sum)
   {
+    ++this->Version;
     this->Sum.reset();
     this->Sum = functions.empty() ? nullptr : std::make_unique<const SurfaceSum>(functions);
   }
+}
+
+std::vector<const SurfaceFunction*> SurfaceWaves::functions() const
+{
+  std::vector<const SurfaceFunction*> functions;
+  for (const Wave& wave : this->Waves)
+  {
+    functions.push_back(wave.function.get());
+  }
+  return functions;
 }
 
 }

@@ -4,6 +4,7 @@
 #include "SurfaceScene.h"
 #include "sim/SurfaceSum.h"
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,12 @@ public:
   /** Their sum; null where there are none. */
   const SurfaceSum* sum() const { return this->Sum.get(); }
 
+  /** Each of them. */
+  std::vector<const SurfaceFunction*> functions() const;
+
+  /** Grows when the waves become others: what was made of them is to be made again. */
+  std::size_t version() const { return this->Version; }
+
 private:
   struct Wave
   {
@@ -35,6 +42,7 @@ private:
 
   std::vector<Wave> Waves;
   std::unique_ptr<const SurfaceSum> Sum;
+  std::size_t Version = 0;
 };
 
 }

@@ -83,6 +83,8 @@ public:
 
   double waterLevel() const { return this->Surface.options().waterLevel; }
 
+  const WaveSurface& surface() const { return this->Surface; }
+
   /** Undisturbed places of the sheets that cover a place, in the order of the sheet. */
   void cover(const glm::dvec2& place, std::vector<SheetPlace>& sheets) const;
 

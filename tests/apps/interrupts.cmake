@@ -22,6 +22,8 @@ interrupt_test(levels "$SWELLRAY trace $IN/beach.asc ${slow} --stations $IN/no_h
 interrupt_test(contour "$SWELLRAY contour shoal --interval 0.3 --simplify 1 -o c.vtp")
 interrupt_test(render "$SWELLRAY render $IN/beach.asc -o p.png")
 interrupt_test(surface_series "$SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.25 -o s.pvd")
+interrupt_test(surface_spray "$SWELLRAY surface $IN/beach.asc ${wave} --time 4 -o s.vtp --spray p.vtp")
+interrupt_test(surface_spray_series "$SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.25 -o s.pvd --spray p.pvd")
 interrupt_test(spectrum "$SWELLRAY spectrum plane --hs 2 --tp 10 --direction 90 --frequencies 4 --directions 16 --stations $IN/no_heading.csv --table t.csv --spectra s.sp2")
 interrupt_test(validate "$SWELLRAY validate --case c1,c2 --report report")
 set(interrupt_sea "$SWELLRAY sea --hs 1 --tp 5 --direction 240 --components 40")
