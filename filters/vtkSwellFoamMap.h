@@ -121,7 +121,7 @@ private:
   std::unique_ptr<swellray::SeafloorField> Seafloor;
   std::unique_ptr<swellray::SurfaceWaves> Waves; // what frames share
   std::unique_ptr<const swellray::StillFoam> Nodes;
-  std::size_t NodesOf = 0;                                   // the version of the waves that they are of
+  std::size_t NodesOf = 0;                              // the version of the waves that they are of
   double NodesAt[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 }; // and their grid
 };
 

@@ -16,8 +16,8 @@ constexpr std::size_t PlacesAtOnce = 4096;
 
 }
 
-StillFoam::StillFoam(const std::vector<const SurfaceFunction*>& waves, const std::vector<glm::dvec2>& places,
-  const Execution& execution)
+StillFoam::StillFoam(
+  const std::vector<const SurfaceFunction*>& waves, const std::vector<glm::dvec2>& places, const Execution& execution)
   : Covered(places.size(), 0)
   , Offsets(places.size() + 1, 0)
 {

@@ -2,10 +2,12 @@
 
 #include "Failure.h"
 #include "FieldValues.h"
+#include "MapOutput.h"
 #include "Pipeline.h"
 
 #include <fmt/format.h>
 
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -38,8 +40,8 @@ bool isKept(const fs::path& frame, double time, const Request& request, Console&
   }
   try
   {
-    const vtkSmartPointer<vtkPolyData> surface = readLines(frame.string(), console);
-    return fieldNumber(surface, "Time") == time && fieldText(surface, "CommandLine") == request.commandLine;
+    const vtkSmartPointer<vtkDataSet> there = readFrame(frame.string(), console);
+    return fieldNumber(there, "Time") == time && fieldText(there, "CommandLine") == request.commandLine;
   }
   catch (const WorkError&)
   {
@@ -70,14 +72,19 @@ bool isSeries(const std::string& file)
   return fs::path(file).extension() == ".pvd";
 }
 
-void writeFrame(vtkPolyData* data, const OutputFile& file, const Request& request, Console& console)
+void writeFrame(vtkDataSet* data, const OutputFile& file, const Request& request, Console& console)
 {
+  if (auto* grid = vtkImageData::SafeDownCast(data))
+  {
+    writeMap(grid, file, request, console);
+    return;
+  }
   vtkNew<vtkXMLPolyDataWriter> writer;
   writeXml(writer, data, file, request, console);
 }
 
 void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const Request& request, Console& console,
-  const std::function<void(vtkPolyData*)>& said)
+  const std::function<void(vtkDataSet*)>& said)
 {
   for (const FrameSeries& series : all)
   {
@@ -98,14 +105,14 @@ void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const R
     for (FrameSeries& series : all)
     {
       const std::string stem = fs::path(series.file->path()).stem().string();
-      const std::string name = fmt::format("{}_{:06}.vtp", stem, i);
+      const std::string name = fmt::format("{}_{:06}{}", stem, i, series.ending);
       series.frames.emplace_back(time, (fs::path(stem) / name).string());
       if (isKept(folderOf(series) / name, time, request, console))
       {
         ++kept;
         continue;
       }
-      vtkPolyData* data = series.make(time);
+      vtkDataSet* data = series.make(time);
       OutputFile frame((folderOf(series) / name).string(), {});
       writeFrame(data, frame, request, console);
       frame.commit();

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-class vtkPolyData;
+class vtkDataSet;
 
 namespace swellray::cli
 {
@@ -17,14 +17,15 @@ class OutputFile;
 /** True for the name of a series, .pvd. */
 bool isSeries(const std::string& file);
 
-/** Write data as .vtp. @throws WorkError */
-void writeFrame(vtkPolyData* data, const OutputFile& file, const Request& request, Console& console);
+/** Write data as .vtp, a grid as .vti, .nc or .tif by the file's ending. @throws WorkError */
+void writeFrame(vtkDataSet* data, const OutputFile& file, const Request& request, Console& console);
 
 /** A series on its way: its file, beside which a folder of the same name has the frames, and what makes a frame. */
 struct FrameSeries
 {
   OutputFile* file = nullptr;
-  std::function<vtkPolyData*(double)> make;                ///< the data at a time, s
+  std::function<vtkDataSet*(double)> make;                 ///< the data at a time, s
+  const char* ending = ".vtp";                             ///< of its frames: .vti for grids
   std::vector<std::pair<double, std::string>> frames = {}; ///< that there are: time and file
 };
 
@@ -34,6 +35,6 @@ struct FrameSeries
  * @throws WorkError
  */
 void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const Request& request, Console& console,
-  const std::function<void(vtkPolyData*)>& said);
+  const std::function<void(vtkDataSet*)>& said);
 
 }

@@ -41,6 +41,7 @@ constexpr Quantity Quantities[] = {
     "" },
   { "Wavelength", "length of the wave", "m", "", "" },
   { "WavePhase", "phase of the wave; a crest stands where it is that of the time", "radian", "", "" },
+  { "Foam", "foam, 1 where a wave breaks now", "1", "", "" },
   { "Breaking", "breaking of the highest wave", "1", "", "not_breaking breaking" },
   { "LeeRay", "rays that model diffraction into the lee bring the highest wave", "1", "", "refraction diffraction" },
   { "RayCount", "number of ray sheets", "1", "", "" },

@@ -393,9 +393,10 @@ void checkDifferentFiles(const std::vector<std::pair<std::string, std::string>>&
 
 void checkOutputs(const OutputRequest& output)
 {
-  checkDifferentFiles({ { "--output", output.file }, { "--crests", output.crests },
-    { "--breaker-line", output.breakerLine }, { "--map", output.map }, { "--spray", output.spray },
-    { "--table", output.table }, { "--spectra", output.spectra }, { "--elevation-series", output.elevations } });
+  checkDifferentFiles(
+    { { "--output", output.file }, { "--crests", output.crests }, { "--breaker-line", output.breakerLine },
+      { "--map", output.map }, { "--spray", output.spray }, { "--foam", output.foam }, { "--table", output.table },
+      { "--spectra", output.spectra }, { "--elevation-series", output.elevations } });
 }
 
 }

@@ -12,6 +12,7 @@
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLWriter.h>
 
@@ -179,6 +180,18 @@ void setUp(vtkSwellSpray* spray, const SurfaceRequest& options)
   }
 }
 
+void setUp(vtkSwellFoamMap* foam, const SurfaceRequest& options)
+{
+  foam->SetSection(options.profile);
+  foam->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
+  foam->SetSeed(options.seed);
+  foam->SetSpacing(options.foamSpacing.value_or(0.0));
+  if (options.foamLife)
+  {
+    foam->SetFoamLife(*options.foamLife);
+  }
+}
+
 void setUp(vtkSwellSurfaceProbe* probe, const SurfaceRequest& options)
 {
   probe->SetSection(options.profile);
@@ -207,6 +220,7 @@ Pipeline::Pipeline(const Request& request, Console& console)
   setUp(this->Heights, request.rays.height);
   setUp(this->Surface, request.surface);
   setUp(this->Foam, request.surface);
+  setUp(this->FoamMap, request.surface);
   setUp(this->Spray, request.surface);
   setUp(this->Probe, request.surface);
   for (const IncidentWave& wave : request.surface.components)
@@ -353,6 +367,15 @@ vtkPolyData* Pipeline::makeSurface(double time)
   return this->Foam->GetOutput();
 }
 
+vtkImageData* Pipeline::makeFoamMap(double time)
+{
+  this->connectWaves(this->FoamMap);
+  this->FoamMap->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->FoamMap->SetTime(time);
+  runFilter(this->FoamMap, "foam", this->Screen);
+  return this->FoamMap->GetOutput();
+}
+
 vtkPolyData* Pipeline::makeSpray(double time)
 {
   this->Spray->SetInputConnection(0, this->Heights->GetOutputPort());
@@ -427,13 +450,17 @@ void writeXml(
   }
 }
 
-vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console)
+namespace
+{
+
+template <typename Reader>
+auto readFile(const std::string& path, const char* ending, Console& console)
 {
   if (!std::ifstream(path).good())
   {
     throw WorkError(fmt::format("cannot read '{}': no such file, or it may not be read", path));
   }
-  vtkNew<vtkXMLPolyDataReader> reader;
+  vtkNew<Reader> reader;
   reader->SetFileName(path.c_str());
   try
   {
@@ -441,9 +468,25 @@ vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console
   }
   catch (const WorkError&)
   {
-    throw WorkError(fmt::format("cannot read '{}': it is no .vtp file, or damaged", path));
+    throw WorkError(fmt::format("cannot read '{}': it is no {} file, or damaged", path, ending));
   }
-  return reader->GetOutput();
+  return vtkSmartPointer(reader->GetOutput());
+}
+
+}
+
+vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console)
+{
+  return readFile<vtkXMLPolyDataReader>(path, ".vtp", console);
+}
+
+vtkSmartPointer<vtkDataSet> readFrame(const std::string& path, Console& console)
+{
+  if (std::filesystem::path(path).extension() == ".vti")
+  {
+    return readFile<vtkXMLImageDataReader>(path, ".vti", console);
+  }
+  return readLines(path, console);
 }
 
 }

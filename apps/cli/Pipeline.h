@@ -10,6 +10,7 @@
 #include <vtkSwellContours.h>
 #include <vtkSwellCrests.h>
 #include <vtkSwellFoam.h>
+#include <vtkSwellFoamMap.h>
 #include <vtkSwellRayTracer.h>
 #include <vtkSwellSeafloorReader.h>
 #include <vtkSwellSpray.h>
@@ -22,6 +23,8 @@
 
 class vtkAlgorithm;
 class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
 class vtkPolyData;
 class vtkXMLWriter;
 
@@ -70,6 +73,9 @@ public:
   /** Breaking-wave surface with foam over the rays that were traced, at a time, s. @throws WorkError */
   vtkPolyData* makeSurface(double time);
 
+  /** Foam of the same waves on a grid of still water at a time, s. @throws WorkError */
+  vtkImageData* makeFoamMap(double time);
+
   /** Spray at a time, s, over the same rays. @throws WorkError */
   vtkPolyData* makeSpray(double time);
 
@@ -96,6 +102,7 @@ private:
   vtkNew<vtkSwellBreakerLine> Breakers;
   vtkNew<vtkSwellSurface> Surface;
   vtkNew<vtkSwellFoam> Foam;
+  vtkNew<vtkSwellFoamMap> FoamMap;
   vtkNew<vtkSwellSpray> Spray;
   vtkNew<vtkSwellSurfaceProbe> Probe;
   std::vector<std::unique_ptr<Component>> Components;
@@ -110,5 +117,8 @@ void writeXml(
 
 /** Read a .vtp file. @throws WorkError */
 vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console);
+
+/** Read a frame of a series, .vtp or .vti. @throws WorkError */
+vtkSmartPointer<vtkDataSet> readFrame(const std::string& path, Console& console);
 
 }

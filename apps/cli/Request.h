@@ -111,7 +111,7 @@ struct SpectrumRequest
   double tolerance = 1e-5;
   BreakingRule breaking = BreakingRule::Gamma;
   std::optional<double> gamma; ///< largest Hs over depth, or breaker index
-  double friction = 0.0;          ///< m2/s3
+  double friction = 0.0;       ///< m2/s3
 };
 
 /** Surface elevation in time at stations. */
@@ -193,6 +193,7 @@ struct SurfaceRequest
   std::optional<TimeSeries> times;        ///< frames of a series
   std::optional<double> pointsPerWave;    ///< none: as many as the section asks for
   std::optional<double> foamLife;         ///< s
+  std::optional<double> foamSpacing;      ///< of the nodes of its grid, m; none: the seafloor's
   int seed = 1;
   std::vector<IncidentWave> components; ///< further waves of the sea: period, direction and height
   std::optional<double> sprayRate;      ///< particles a metre of crest and metre
@@ -247,6 +248,7 @@ struct OutputRequest
   std::string crests;
   std::string breakerLine;
   std::string spray;
+  std::string foam; ///< on a grid
   std::string map;
   std::string table;      ///< waves at the stations
   std::string spectra;    ///< spectra at the stations

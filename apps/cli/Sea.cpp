@@ -144,7 +144,8 @@ void runSea(const Request& request, Console& console)
       return sea->GetOutput();
     };
     std::vector<FrameSeries> series{ { mesh, make } };
-    writeFrames(series, *patch.times, request, console, [&](vtkPolyData* made) { saySea(made, console); });
+    writeFrames(series, *patch.times, request, console,
+      [&](vtkDataSet* made) { saySea(vtkPolyData::SafeDownCast(made), console); });
   }
   else
   {

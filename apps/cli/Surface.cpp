@@ -13,7 +13,6 @@
 
 #include <fmt/format.h>
 
-#include <vtkCellArray.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
@@ -89,16 +88,17 @@ void checkSurface(Request& request)
   {
     throw UsageError("--at and --table belong together; give both");
   }
-  if (request.output.file.empty() && request.output.spray.empty() && request.output.table.empty())
+  if (request.output.file.empty() && request.output.spray.empty() && request.output.foam.empty() &&
+    request.output.table.empty())
   {
-    throw UsageError("surface has nothing to write: give -o FILE.vtp, -o FILE.pvd with --times, --spray FILE, or --at "
-                     "POINTS.csv --table FILE.csv");
+    throw UsageError("surface has nothing to write: give -o FILE.vtp, -o FILE.pvd with --times, --spray FILE, --foam "
+                     "FILE, or --at POINTS.csv --table FILE.csv");
   }
   if (surface.time && surface.times)
   {
     throw UsageError("--time and --times exclude each other; leave out one of the two");
   }
-  for (const std::string& file : { request.output.file, request.output.spray })
+  for (const std::string& file : { request.output.file, request.output.spray, request.output.foam })
   {
     if (!file.empty() && isSeries(file) != surface.times.has_value())
     {
@@ -106,21 +106,39 @@ void checkSurface(Request& request)
         isSeries(file) ? "a .pvd series needs --times T0:T1:DT" : "--times needs a series to write: -o FILE.pvd");
     }
   }
-  if (surface.straightPhase && (!request.output.spray.empty() || !surface.at.empty()))
+  if (surface.straightPhase && (!request.output.spray.empty() || !request.output.foam.empty() || !surface.at.empty()))
   {
-    throw UsageError("--spray and --at follow the traced phase; leave out --phase straight");
+    throw UsageError("--spray, --foam and --at follow the traced phase; leave out --phase straight");
   }
   if ((surface.sprayRate || surface.spraySteepness) && request.output.spray.empty())
   {
     throw UsageError("--spray-rate and --spray-steepness need --spray FILE");
   }
+  if (surface.foamSpacing && request.output.foam.empty())
+  {
+    throw UsageError("--foam-spacing needs --foam FILE");
+  }
   checkOutputs(request.output);
 }
 
-void saySurface(vtkPolyData* surface, const Console& console)
+void saySurface(vtkDataSet* surface, const Console& console)
 {
   console.say(fmt::format("surface  {}: {} points, {} triangles", fieldText(surface, "Section"),
-    surface->GetNumberOfPoints(), surface->GetPolys()->GetNumberOfCells()));
+    surface->GetNumberOfPoints(), surface->GetNumberOfCells()));
+}
+
+void saySpray(vtkDataSet* spray, const Console& console)
+{
+  console.say(fmt::format("spray    {} particles", spray->GetNumberOfPoints()));
+}
+
+void sayFoam(vtkDataSet* foam, const Console& console)
+{
+  int nodes[3];
+  double spacing[3];
+  vtkImageData::SafeDownCast(foam)->GetDimensions(nodes);
+  vtkImageData::SafeDownCast(foam)->GetSpacing(spacing);
+  console.say(fmt::format("foam     {} x {} nodes, {:g} x {:g} m apart", nodes[0], nodes[1], spacing[0], spacing[1]));
 }
 
 void runSurface(const Request& request, Console& console)
@@ -134,8 +152,9 @@ void runSurface(const Request& request, Console& console)
     files.push_back(path.empty() ? nullptr : std::make_unique<OutputFile>(path, inputs));
     return files.back().get();
   };
-  OutputFile* const file = open(request.output.file);
+  OutputFile* const surfaceFile = open(request.output.file);
   OutputFile* const sprayFile = open(request.output.spray);
+  OutputFile* const foamFile = open(request.output.foam);
   OutputFile* const tableFile = open(request.output.table);
   std::optional<StationTable> points;
   if (tableFile)
@@ -146,35 +165,33 @@ void runSurface(const Request& request, Console& console)
   vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
   pipeline.traceRays();
   pipeline.computeHeights();
-  const auto makeSurface = [&](double time) { return pipeline.makeSurface(time); };
-  const auto makeSpray = [&](double time) { return pipeline.makeSpray(time); };
-  if (surface.times && (file || sprayFile))
+  std::vector<FrameSeries> series;
+  std::vector<void (*)(vtkDataSet*, const Console&)> saying;
+  const auto add = [&](OutputFile* file, const char* ending, auto make, auto say)
   {
-    std::vector<FrameSeries> series;
     if (file)
     {
-      series.push_back({ file, makeSurface });
+      series.push_back({ file, make, ending });
+      saying.push_back(say);
     }
-    if (sprayFile)
-    {
-      series.push_back({ sprayFile, makeSpray });
-    }
-    writeFrames(series, *surface.times, request, console, [&](vtkPolyData* data) { saySurface(data, console); });
+  };
+  add(
+    surfaceFile, ".vtp", [&](double time) { return pipeline.makeSurface(time); }, saySurface);
+  add(
+    sprayFile, ".vtp", [&](double time) { return pipeline.makeSpray(time); }, saySpray);
+  add(
+    foamFile, ".vti", [&](double time) { return pipeline.makeFoamMap(time); }, sayFoam);
+  if (surface.times && !series.empty())
+  {
+    writeFrames(series, *surface.times, request, console, [&](vtkDataSet* data) { saying.front()(data, console); });
   }
   else
   {
-    const double time = surface.time.value_or(0.0);
-    if (file)
+    for (std::size_t i = 0; i < series.size(); ++i)
     {
-      vtkPolyData* data = makeSurface(time);
-      saySurface(data, console);
-      writeFrame(data, *file, request, console);
-    }
-    if (sprayFile)
-    {
-      vtkPolyData* data = makeSpray(time);
-      console.say(fmt::format("spray    {} particles", data->GetNumberOfPoints()));
-      writeFrame(data, *sprayFile, request, console);
+      vtkDataSet* data = series[i].make(surface.time.value_or(0.0));
+      saying[i](data, console);
+      writeFrame(data, *series[i].file, request, console);
     }
   }
   if (tableFile)
@@ -207,6 +224,8 @@ CommandSpec surfaceSpec(Request& request)
   { surface.seed = static_cast<int>(parseWhole("--seed", typed, 0, 2'000'000'000)); };
   spec.options = { outputFile("-o,--output", "surface, .vtp, or series, .pvd", request.output.file, { ".vtp", ".pvd" }),
     outputFile("--spray", "spray, .vtp, or series, .pvd", request.output.spray, { ".vtp", ".pvd" }),
+    outputFile("--foam", "foam on a grid of still water, .vti, .nc or .tif, or series of .vti, .pvd",
+      request.output.foam, { ".vti", ".nc", ".tif", ".pvd" }),
     text("--at", "FILE", "points x,y or lon,lat a line, and a column time where they have their own, .csv", "",
       "Output", surface.at),
     outputFile("--table", "the surface at these points, .csv", request.output.table, { ".csv" }),
@@ -216,7 +235,10 @@ CommandSpec surfaceSpec(Request& request)
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),
     timesOption(surface.times, "Surface"), componentOption(surface), points,
-    number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds), seed,
+    number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds),
+    number("--foam-spacing", "M", "distance of the nodes of --foam, m", "that of the seafloor", "Surface",
+      surface.foamSpacing, PositiveMetres),
+    seed,
     number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
       "Surface", surface.sprayRate, { "", 0.0, 1e6 }),
     number("--spray-steepness", "R", "height over length from which on crests throw spray", "where the trace breaks",
@@ -231,6 +253,8 @@ CommandSpec surfaceSpec(Request& request)
     "sea.pvd\n"
     "  swellray surface plane --period 12 --direction 270 --height 1.5 --profile vortex:threshold=0.1 -o tube.vtp\n"
     "  swellray surface babbage --period 6 --direction 0 --height 1.5 --times 0:6:0.04 -o sea.pvd --spray spray.pvd\n"
+    "  swellray surface babbage --period 6 --direction 0 --height 1.5 --times 0:6:0.1 --foam foam.pvd --foam-spacing "
+    "1\n"
     "  swellray surface bay --period 8 --direction 90 --height 1 --at buoys.csv --times 0:600:0.5 --table series.csv\n"
     "  swellray surface babbage --period 6 --direction 0 --height 1 --component 2,20,0.1 --component 2.5,-15,0.15 -o "
     "b.vtp\n"

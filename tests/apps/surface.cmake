@@ -31,6 +31,15 @@ swellray_cli_test(surface_at 0 "^x,y,name,Time,SurfaceElevation,NormalX,.*,Waves
 swellray_cli_test(surface_at_own_times 0 "^x,y,t,SurfaceElevation.*\n3\n$" "warning: the seafloor grid|^$"
   "printf 'x,y,t\\n100,100,0\\n100,100,2\\n' > p.csv && ${surface} --at p.csv --table o.csv && head -1 o.csv && wc -l < o.csv")
 swellray_cli_test(surface_at_bad_time 1 "" "'soon' is no time" "printf 'x,y,t\\n100,100,soon\\n' > p.csv && ${surface} --at p.csv --table o.csv")
+# Foam on still water.
+foreach(ending vti nc tif)
+  swellray_cli_test(surface_foam_${ending} 0 "foam     39 x 39 nodes, 5 x 5 m apart.*wrote    f.${ending}" "warning: the seafloor grid|^$"
+    "$SWELLRAY surface $IN/beach.asc ${wave} --time 4 --foam f.${ending} --foam-spacing 5 && test -s f.${ending}")
+endforeach()
+swellray_cli_test(surface_foam_series 0 "^frames[^\n]* 0 kept\n3\nframes[^\n]* 6 kept\n$" "warning: the seafloor grid|^$"
+  "run() { $SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.5 --foam f.pvd -o s.pvd | grep frames; } && run && grep -c 'f_.*[.]vti' f.pvd && run")
+swellray_cli_test(surface_foam_spacing_alone 2 "" "--foam-spacing needs --foam" "${surface} -o s.vtp --foam-spacing 5")
+swellray_cli_test(surface_foam_straight 2 "" "leave out --phase straight" "${surface} --phase straight --foam f.vti")
 # A sea of several waves.
 swellray_cli_test(surface_components 0 "1\n2\n$" "warning: the seafloor grid|^$"
   "printf 'x,y\\n100,100\\n' > p.csv && ${surface} --at p.csv --table a.csv && ${surface} --at p.csv --table b.csv --component 3,260,0.2 --component 2.5,280,0.1 && grep -c -v '^x' a.csv && cmp -s a.csv b.csv; echo $(( $? + 1 ))")

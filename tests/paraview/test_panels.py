@@ -17,6 +17,7 @@ LEFT_OUT = {
     ("vtkSwellStations", "WaterLevel"): "that of the rays goes first",
     ("vtkSwellSurface", "Time"): "the animation has it",
     ("vtkSwellSpray", "Time"): "the animation has it",
+    ("vtkSwellFoamMap", "Time"): "the animation has it",
     ("vtkSwellSea", "Time"): "the animation has it",
     ("vtkSwellSpectralMap", "KeepSpectra"): "spectra are no arrays",
     ("vtkSwellSpectralMap", "KeepTransfer"): "rays of a sea are no arrays",

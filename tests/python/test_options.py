@@ -16,7 +16,7 @@ ELSEWHERE = {
     "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series", "elevation_series",
                  "duration", "interval", "seed"},
     "contour": {"output", "compress", "points"},
-    "surface": {"output", "compress", "times", "spray", "at", "table", "component"},
+    "surface": {"output", "compress", "times", "spray", "foam", "at", "table", "component"},
 }
 COMMON = {"config", "threads", "quiet", "help"}
 SEAFLOOR = {"water_level", "positive", "crs", "crop", "resample", "smooth", "nodata", "variable", "max_gap",
@@ -47,7 +47,7 @@ class Options(unittest.TestCase):
         self.assert_options("trace", SEAFLOOR | trace)
         self.assert_options("contour", SEAFLOOR | keywords_of(swellray.Seafloor.contours))
         self.assert_options("surface", SEAFLOOR | trace | keywords_of(swellray.Rays.surface) |
-                            keywords_of(swellray.Rays.spray))
+                            keywords_of(swellray.Rays.spray) | keywords_of(swellray.Rays.foam))
         self.assert_options("spectrum", SEAFLOOR | keywords_of(swellray.Seafloor.spectrum) - {"spacing"})
 
     def test_words_are_those_of_the_filters(self):
@@ -90,6 +90,7 @@ class Options(unittest.TestCase):
             (swellray.Rays.map, [swellray.vtkSwellMap], set()),
             (swellray.Rays.surface, [swellray.vtkSwellSurface], {"foam_life"}),
             (swellray.Rays.surface_at, [swellray.vtkSwellSurfaceProbe], {"places"}),
+            (swellray.Rays.foam, [swellray.vtkSwellFoamMap], set()),
             (swellray.Rays.spray, [swellray.vtkSwellSpray], set()),
         ):
             keywords = sorted(keywords_of(function) - elsewhere)
@@ -128,6 +129,7 @@ class Options(unittest.TestCase):
             (swellray.Rays.stations, {"combine"}),
             (swellray.Rays.surface, set()),
             (swellray.Rays.surface_at, set()),
+            (swellray.Rays.foam, set()),
             (swellray.Rays.spray, set()),
         ):
             for keyword in keywords_of(function) - elsewhere:

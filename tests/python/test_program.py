@@ -79,6 +79,14 @@ class SameAsProgram(FolderCase):
         self.assertGreater(len(spray), 100)
         self.assert_same(spray, path)
 
+    def test_foam(self):
+        path = self.folder / "foam.vti"
+        program("surface", "babbage", *OPTIONS, "--time", 3, "--foam", path, "--foam-spacing", 5, "--foam-life", 4)
+        self.rays.foam(1.0, foam_spacing=5)
+        foam = self.rays.foam(3.0, foam_spacing=5, foam_life=4)
+        self.assertGreater(numpy.count_nonzero(foam["Foam"] > 0), 50)
+        self.assert_same(foam, path)
+
     def test_surface_at(self):
         points, path = self.folder / "points.csv", self.folder / "series.csv"
         points.write_text("x,y\n500,700\n480,650\n")

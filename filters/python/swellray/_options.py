@@ -13,6 +13,7 @@ _PROPERTIES = {
     "crs": "CRS",
     "direction": "DirectionFrom",
     "directions": "NumberOfDirections",
+    "foam_spacing": "Spacing",
     "frequencies": "NumberOfFrequencies",
     "height": "WaveHeight",
     "hs": "SignificantHeight",

@@ -419,6 +419,22 @@ class Rays(Lines):
         run(algorithm)
         return Stations(output_of(algorithm))
 
+    def foam(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, foam_life=None, foam_spacing=None, seed=1):
+        """Foam on a grid of still water: Foam, 0 to 1, NaN where no wave comes.
+
+        time: s
+        profile, points_per_wave, foam_life, seed: as for surface()
+        foam_spacing: of the nodes, m; default: the nodes of the seafloor
+        """
+        key = ("foam", profile, points_per_wave, seed, foam_spacing)
+        if key not in self._surfaces:
+            algorithm = configure(filters.vtkSwellFoamMap(), profile=profile, points_per_wave=points_per_wave, seed=seed,
+                                  foam_spacing=foam_spacing)
+            self._surfaces[key] = self._on_seafloor(algorithm)
+        algorithm = configure(self._surfaces[key], time=float(time), foam_life=8.0 if foam_life is None else foam_life)
+        run(algorithm)
+        return Map(output_of(algorithm))
+
     def spray(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, seed=1, spray_rate=None,
               spray_steepness=None):
         """Spray in the air at a time, of breaking crests and of waves that strike obstacles.
