@@ -17,6 +17,9 @@ namespace
 // Foam sets in over this phase.
 constexpr double OnsetPhase = 2.0 * Pi / 16.0;
 
+// Waves of a group that are lower by this share than those that break begin to leave foam.
+constexpr double OnsetShare = 0.02;
+
 }
 
 void FoamOptions::validate() const
@@ -33,9 +36,11 @@ void FoamOptions::validate() const
   require("the period", this->period);
   require("its life", this->life);
   require("the wavelength", this->wavelength);
+  this->groups.validate();
 }
 
-double foamAt(double phase, double breakingPhase, double launchParameter, double time, const FoamOptions& options)
+double foamAt(double phase, double breakingPhase, double launchParameter, double time, const FoamOptions& options,
+  double groupTime, double brokenShare)
 {
   const double broken = phase - breakingPhase;
   if (!(broken >= 0.0))
@@ -55,7 +60,12 @@ double foamAt(double phase, double breakingPhase, double launchParameter, double
     const double delay = broken >= largestDelay + OnsetPhase || !(largestDelay > 0.0) ? 0.0
                                                                                       : largestDelay *
         breakingDelay(options.seed, static_cast<std::int64_t>(wave), launchParameter, options.wavelength);
-    const double share = std::clamp((broken - delay) / OnsetPhase, 0.0, 1.0);
+    double share = std::clamp((broken - delay) / OnsetPhase, 0.0, 1.0);
+    if (options.groups.any())
+    {
+      const double high = options.groups.share(time - age / omega - groupTime, options.period);
+      share *= std::clamp(1.0 + (high - brokenShare) / OnsetShare, 0.0, 1.0);
+    }
     most = std::max(most, share * (1.0 - age / life));
     if (share == 1.0)
     {
@@ -73,13 +83,15 @@ void computeFoam(
   options.validate();
   FoamOptions used = options;
   used.variation = places.launchParameter ? options.variation : 0.0;
+  used.groups = places.groupTime && places.brokenShare ? options.groups : WaveGroups{};
   execution.forRange(places.count,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
         foam[i] = static_cast<float>(foamAt(places.phase[i], places.breakingPhase[i],
-          places.launchParameter ? places.launchParameter[i] : 0.0, time, used));
+          places.launchParameter ? places.launchParameter[i] : 0.0, time, used,
+          used.groups.any() ? places.groupTime[i] : 0.0, used.groups.any() ? places.brokenShare[i] : 1.0));
       }
     });
 }

@@ -68,26 +68,6 @@ private:
 
 }
 
-void SprayOptions::validate() const
-{
-  const auto require = [](const char* name, double value, double low, double high, const char* range)
-  {
-    if (!(value >= low && value <= high))
-    {
-      std::ostringstream message;
-      message << "spray: " << name << " must be " << range << ", not " << value;
-      throw std::invalid_argument(message.str());
-    }
-  };
-  constexpr double most = 1e6;
-  require("the largest steepness", this->steepest, 0.0, 10.0, "0 (as traced) to 10");
-  require("the rate", this->rate, 0.0, most, "0 to a million");
-  require("the scatter", this->scatter, 0.0, 1.0, "0 to 1");
-  require("the rebound", this->rebound, 0.0, 1.0, "0 to 1");
-  require("gravity", this->gravity, 1e-3, most, "above 0");
-  require("the slope of a steep shore", this->steepShore, 1e-3, most, "above 0");
-}
-
 glm::dvec3 elasticReflection(const glm::dvec3& direction, const glm::dvec3& normal)
 {
   return direction - 2.0 * glm::dot(direction, normal) * normal;
@@ -254,6 +234,7 @@ void Spray::findImpacts(const Seafloor& seafloor, const Obstacles* obstacles)
     impact.place = place(at);
     impact.phase = sheet.Phase[at];
     impact.height = sheet.Height[at - 1];
+    impact.groupTime = this->Surface.groupTime(at - 1);
     impact.away = elasticReflection(direction, normal);
     const BreakingStretch* stretch = this->Surface.history(ray).stretchAt(sheet.Phase[at - 1]);
     // A broken wave strikes with the speed that it had as it broke.
@@ -388,7 +369,11 @@ Spray::Source Spray::crestSource(
   std::size_t ray, std::int64_t step, std::int64_t wave, const WaveSection& section) const
 {
   const double phase = static_cast<double>(step) * SlotPhase;
-  const RayPlace at = this->onRay(ray, phase);
+  RayPlace at = this->onRay(ray, phase);
+  const double unbroken = this->unbrokenHeight(at, this->Surface.history(ray).stretchAt(phase), ray);
+  const double held = this->Surface.heightShare(ray, phase, wave);
+  at.still.height *= held;
+  at.ripeness *= held;
   const StillPlace& still = at.still;
   const CrestState crest = this->Surface.crest(ray, phase, wave, section);
   const SectionPoint moved =
@@ -398,12 +383,13 @@ Spray::Source Spray::crestSource(
   source.position = this->Surface.move(still, moved).position;
   const double level = this->Surface.options().waterLevel;
   source.floor = level - std::min(0.5 * still.height, still.depth);
-  const double speed = this->speedOf(ray, phase, crest.plunge);
+  // By the paper's steepness lower waves of a group are slower; by the trace they break later.
+  const double speed = this->speedOf(ray, phase, crest.plunge) *
+    (this->Options.steepest > 0.0 ? this->Surface.groupShare(ray, phase, wave) : 1.0);
   source.velocity = glm::dvec3(speed * still.direction, 0.0);
   source.scatter = this->Options.scatter * speed;
   if (this->Options.steepest > 0.0 || (stretch && crest.plunge > 0.0))
   {
-    const double unbroken = this->unbrokenHeight(at, stretch, ray);
     const double left = unbroken > 0.0 ? std::min(1.0, still.height / unbroken) : 0.0;
     const double faster = speed - 2.0 * Pi / this->Surface.options().period / still.wavenumber;
     source.rate = this->Options.rate * left * std::max(0.0, faster);
@@ -417,12 +403,16 @@ Spray::Source Spray::impactSource(const Impact& impact, std::int64_t step, std::
   const double passed = static_cast<double>(step) * SlotPhase;
   const double phase = impact.phase - 2.0 * Pi * static_cast<double>(wave) - passed;
   const double level = this->Surface.options().waterLevel;
+  const double share = this->Surface.options().groups.share(
+    static_cast<double>(step) * this->SlotTime - impact.groupTime, this->Surface.options().period);
+  const double height = share * impact.height;
+  const double speed = share * impact.speed;
   Source source;
-  source.position = { impact.place, level + 0.5 * impact.height * std::cos(phase) };
-  source.velocity = this->Options.rebound * impact.speed * impact.away;
-  source.scatter = this->Options.scatter * impact.speed;
-  source.floor = level - 0.5 * impact.height;
-  source.rate = this->Options.rate * impact.speed * impact.directness * impactShare(phase);
+  source.position = { impact.place, level + 0.5 * height * std::cos(phase) };
+  source.velocity = this->Options.rebound * speed * impact.away;
+  source.scatter = this->Options.scatter * speed;
+  source.floor = level - 0.5 * height;
+  source.rate = this->Options.rate * speed * impact.directness * impactShare(phase);
   return source;
 }
 

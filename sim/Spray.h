@@ -123,6 +123,7 @@ private:
     double phase = 0.0;
     double height = 0.0;
     double speed = 0.0;      // Q
+    double groupTime = 0.0;  // s
     double directness = 0.0; // sine of the angle between the wave and the face
     glm::dvec3 away{ 0.0 };  // direction after the collision
   };

@@ -32,6 +32,7 @@ StillFoam::StillFoam(
     foam.period = options.period;
     foam.wavelength = options.wavelength;
     foam.seed = options.seed;
+    foam.groups = options.groups;
     this->Waves.push_back(foam);
   }
   const std::size_t blocks = (places.size() + PlacesAtOnce - 1) / PlacesAtOnce;
@@ -55,8 +56,8 @@ StillFoam::StillFoam(
               const auto& since = sheet.breakingPhase;
               if (std::any_of(since.begin(), since.end(), [](double phase) { return !std::isnan(phase); }))
               {
-                found[block].push_back(
-                  { static_cast<std::uint32_t>(w), sheet.phase, sheet.weight, since, sheet.launchParameter });
+                found[block].push_back({ static_cast<std::uint32_t>(w), sheet.phase, sheet.groupTime, sheet.brokenShare,
+                  sheet.weight, since, sheet.launchParameter });
               }
             }
           }
@@ -98,7 +99,8 @@ void StillFoam::at(double time, double life, double variation, float* foam, cons
           for (std::size_t c = 0; c < 3; ++c)
           {
             sum += sheet.weight[c] *
-              foamAt(sheet.phase, sheet.breakingPhase[c], sheet.launchParameter[c], time, options[sheet.wave]);
+              foamAt(sheet.phase, sheet.breakingPhase[c], sheet.launchParameter[c], time, options[sheet.wave],
+                sheet.groupTime, sheet.brokenShare);
           }
           most = std::max(most, sum);
         }

@@ -47,6 +47,8 @@ private:
   {
     std::uint32_t wave = 0;
     double phase = 0.0;
+    double groupTime = 0.0;
+    double brokenShare = 1.0;
     std::array<double, 3> weight{};
     std::array<double, 3> breakingPhase{};
     std::array<double, 3> launchParameter{};

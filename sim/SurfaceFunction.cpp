@@ -96,6 +96,7 @@ SheetPlace SurfaceFunction::placeOn(const SheetCover& cover, const glm::dvec2& p
   found.still.position = place;
   found.still.wavenumber = 0.0;
   found.still.depth = 0.0;
+  found.brokenShare = 0.0;
   glm::dvec2 toward(0.0);
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -111,6 +112,8 @@ SheetPlace SurfaceFunction::placeOn(const SheetCover& cover, const glm::dvec2& p
     found.still.depth += w * sheet.Depth[i];
     found.still.slope += w * sheet.Slope[i];
     found.ripeness += w * this->Surface.ripeness(i);
+    found.groupTime += w * this->Surface.groupTime(i);
+    found.brokenShare += w * this->Surface.brokenShare(i);
     found.shore += sheet.Shore[i] ? w : 0.0;
     found.ray[c] = this->RayOf[i];
     found.weight[c] = w;
@@ -171,8 +174,18 @@ CrestState SurfaceFunction::crest(
   return sum;
 }
 
-MovedPlace SurfaceFunction::move(const SheetPlace& place, double time, const WaveSection& section, bool* breaking) const
+MovedPlace SurfaceFunction::move(
+  const SheetPlace& traced, double time, const WaveSection& section, bool* breaking) const
 {
+  SheetPlace place = traced;
+  const WaveGroups& groups = this->Surface.options().groups;
+  if (groups.any())
+  {
+    const double share =
+      heldShare(groups.share(time - place.groupTime, this->Surface.options().period), place.brokenShare);
+    place.still.height *= share;
+    place.ripeness *= share;
+  }
   const double passed = 2.0 * Pi / this->Surface.options().period * time;
   const double wave = turns(place.phase - passed);
   const double crestPhase = passed + 2.0 * Pi * wave;
@@ -199,7 +212,7 @@ MovedPlace SurfaceFunction::move(const SheetPlace& place, double time, const Wav
   {
     *breaking = broken;
   }
-  return this->Surface.move(place.still, moved);
+  return this->Surface.move(traced.still, moved);
 }
 
 double SurfaceFunction::foam(const SheetPlace& place, double time, const SurfaceMotion& motion) const
@@ -210,10 +223,13 @@ double SurfaceFunction::foam(const SheetPlace& place, double time, const Surface
   foam.wavelength = options.wavelength;
   foam.seed = options.seed;
   foam.variation = motion.section->variation();
+  foam.groups = options.groups;
   double sum = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    sum += place.weight[c] * foamAt(place.phase, place.breakingPhase[c], place.launchParameter[c], time, foam);
+    sum += place.weight[c] *
+      foamAt(
+        place.phase, place.breakingPhase[c], place.launchParameter[c], time, foam, place.groupTime, place.brokenShare);
   }
   return sum;
 }

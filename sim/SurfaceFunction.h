@@ -20,6 +20,8 @@ struct SheetPlace
   StillPlace still;
   double phase = 0.0;                      ///< S, rad
   double ripeness = 0.0;                   ///< as CrestState::ripeness, of the place
+  double groupTime = 0.0;                  ///< as WaveSurface::groupTime
+  double brokenShare = 1.0;                ///< as WaveSurface::brokenShare
   double shore = 0.0;                      ///< share of the shore, 0 to 1: points of it only go up and down
   std::array<std::size_t, 3> ray{};        ///< of the corners around it
   std::array<double, 3> weight{};          ///< of these

@@ -45,6 +45,8 @@ void SurfaceOptions::validate() const
   {
     require(name, value, value > 0.0 && std::isfinite(value));
   }
+  require("gravity", this->gravity, this->gravity > 0.0 && std::isfinite(this->gravity));
+  this->groups.validate();
 }
 
 /** Neighbouring points of a ray that belong to one wave, and where they go. */
@@ -58,6 +60,8 @@ struct WaveSurface::Run
   std::array<double, RunSize> up;
   std::array<double, RunSize> alongRate;
   std::array<double, RunSize> upRate;
+  std::array<double, RunSize> height; // these two are used where waves come in groups
+  std::array<double, RunSize> ripeness;
 };
 
 WaveSurface::WaveSurface(
@@ -111,6 +115,15 @@ WaveSurface::WaveSurface(
         }
       }
     });
+  if (options.groups.any())
+  {
+    this->GroupTime.assign(sheet.rayPointCount(), 0.0);
+    this->BrokenShare.assign(sheet.rayPointCount(), 1.0);
+    for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
+    {
+      this->findGroups(ray);
+    }
+  }
 }
 
 void WaveSurface::setPhase(const StraightPhase& phase)
@@ -151,12 +164,13 @@ CrestState WaveSurface::crest(std::size_t ray, double phase, std::int64_t wave, 
   const double delay = largestDelay > 0.0
     ? largestDelay * breakingDelay(this->Options.seed, wave, this->Sheet.LaunchParameter[ray], this->Options.wavelength)
     : 0.0;
-  // Before an inserted ray began its waves were those of the ray beside it.
-  while (this->Sheet.Parent[ray] >= 0 && phase < this->Histories[ray].firstPhase())
+  const RayPlace place = this->placeAt(ray, phase);
+  CrestState crest = this->Histories[place.ray].crest(phase, delay);
+  if (this->Options.groups.any())
   {
-    ray = static_cast<std::size_t>(this->Sheet.Parent[ray]);
+    this->lowerBy(crest, place, phase, delay, this->groupShare(ray, phase, wave));
   }
-  return this->Histories[ray].crest(phase, delay);
+  return crest;
 }
 
 void WaveSurface::displace(
@@ -208,15 +222,19 @@ void WaveSurface::displaceByOwnPhase(
     const double phase = this->OwnPhase[i] - omega * time;
     run.first = i;
     run.phase[0] = phase - 2.0 * Pi * std::round(phase / (2.0 * Pi));
+    const double share = this->Options.groups.any()
+      ? heldShare(this->Options.groups.share(time - this->GroupTime[i], this->Options.period), this->BrokenShare[i])
+      : 1.0;
+    const double height = share * sheet.Height[i];
+    const double ripeness = share * this->Ripeness[i];
     CrestState crest;
-    crest.height = sheet.Height[i];
+    crest.height = height;
     crest.wavenumber = sheet.Wavenumber[i];
     crest.depth = sheet.Depth[i];
     crest.slope = sheet.Slope[i];
-    crest.ripeness = this->Ripeness[i];
+    crest.ripeness = ripeness;
     section.displace(crest,
-      { 1, run.phase.data(), &sheet.Height[i], &sheet.Wavenumber[i], &sheet.Depth[i], &sheet.Slope[i],
-        &this->Ripeness[i] },
+      { 1, run.phase.data(), &height, &sheet.Wavenumber[i], &sheet.Depth[i], &sheet.Slope[i], &ripeness },
       { run.along.data(), run.up.data(), run.alongRate.data(), run.upRate.data() });
     run.broken = sheet.Breaking[i] != 0;
     if (arrays.phase)
@@ -233,6 +251,7 @@ void WaveSurface::displaceRay(
   const SurfaceSheet& sheet = this->Sheet;
   const double omega = 2.0 * Pi / this->Options.period;
   const double passed = omega * time;
+  const WaveGroups& groups = this->Options.groups;
   const auto last = static_cast<std::size_t>(sheet.Offsets[ray + 1]);
   Run run;
   for (run.first = static_cast<std::size_t>(sheet.Offsets[ray]); run.first < last; run.first += run.count)
@@ -258,11 +277,26 @@ void WaveSurface::displaceRay(
         arrays.phase[run.first + i] = sheet.Phase[run.first + i] - passed;
       }
     }
+    const double* height = sheet.Height.data() + run.first;
+    const double* ripeness = this->Ripeness.data() + run.first;
+    if (groups.any())
+    {
+      for (std::size_t i = 0; i < run.count; ++i)
+      {
+        const std::size_t at = run.first + i;
+        const double share =
+          heldShare(groups.share(time - this->GroupTime[at], this->Options.period), this->BrokenShare[at]);
+        run.height[i] = share * height[i];
+        run.ripeness[i] = share * ripeness[i];
+      }
+      height = run.height.data();
+      ripeness = run.ripeness.data();
+    }
     if (shore)
     {
       for (std::size_t i = 0; i < run.count; ++i)
       {
-        const double half = 0.5 * sheet.Height[run.first + i];
+        const double half = 0.5 * height[i];
         run.along[i] = run.alongRate[i] = 0.0;
         run.up[i] = half * std::cos(run.phase[i]);
         run.upRate[i] = -half * std::sin(run.phase[i]);
@@ -274,8 +308,8 @@ void WaveSurface::displaceRay(
       const CrestState crest = this->crest(ray, crestPhase, static_cast<std::int64_t>(wave), section);
       run.broken = crest.plunge > 0.0;
       section.displace(crest,
-        { run.count, run.phase.data(), sheet.Height.data() + run.first, sheet.Wavenumber.data() + run.first,
-          sheet.Depth.data() + run.first, sheet.Slope.data() + run.first, this->Ripeness.data() + run.first },
+        { run.count, run.phase.data(), height, sheet.Wavenumber.data() + run.first, sheet.Depth.data() + run.first,
+          sheet.Slope.data() + run.first, ripeness },
         { run.along.data(), run.up.data(), run.alongRate.data(), run.upRate.data() });
     }
     this->place(run, arrays);

@@ -4,6 +4,7 @@
 #include "sim/StraightPhase.h"
 #include "sim/SurfHistory.h"
 #include "sim/SurfaceSheet.h"
+#include "sim/WaveGroups.h"
 #include "sim/sections/WaveSection.h"
 
 #include <glm/vec2.hpp>
@@ -24,6 +25,8 @@ struct SurfaceOptions
   double waterLevel = 0.0;    ///< m, positive up
   double breakerIndex = 0.78; ///< H/h at which waves break
   std::uint64_t seed = 1;     ///< of what varies from wave to wave
+  double gravity = 9.81;      ///< m/s2, with which they were traced
+  WaveGroups groups;          ///< in which they come
 
   /** @throws std::invalid_argument naming what is out of range */
   void validate() const;
@@ -72,6 +75,9 @@ struct MovedPlace
  *
  * With the ray's direction d the point x goes to x + along d + up z; the normal is that of the tangents along the ray,
  * (1 + k along') d + k up' z, and along the crest, which is taken as straight; the velocity is -omega (along' d + up' z).
+ * Waves of a group (WaveGroups) are lower than the traced one by their share; each breaks where the breaking waves of the
+ * trace have become as low as it is. The group's time is the integral of dS/(k Cg + omega - sigma) along the ray, also on a
+ * current, and at its start S over omega n: exact along an edge of one depth.
  * Points of the shore move up and down only, and none is carried past it. Nothing goes below the bed: what would, lies on
  * it.
  */
@@ -110,6 +116,18 @@ public:
   /** True where another phase than the traced one moves the surface. */
   bool hasOwnPhase() const { return !this->OwnPhase.empty(); }
 
+  /** When a group that is at phase 0 at time 0 comes to a point of a ray, s; 0 without groups. */
+  double groupTime(std::size_t point) const { return this->GroupTime.empty() ? 0.0 : this->GroupTime[point]; }
+
+  /** Traced height of a point of a ray over that which shoaling alone would have given since it broke, above 0 to 1. */
+  double brokenShare(std::size_t point) const { return this->BrokenShare.empty() ? 1.0 : this->BrokenShare[point]; }
+
+  /** WaveGroups::share of wave n as its crest passes a phase S of a ray. */
+  double groupShare(std::size_t ray, double phase, std::int64_t wave) const;
+
+  /** Share of the traced height that this wave has there. */
+  double heightShare(std::size_t ray, double phase, std::int64_t wave) const;
+
   /** H/h over that at which waves break next, of a point of a ray, 0 to 1. */
   double ripeness(std::size_t point) const { return this->Ripeness[point]; }
 
@@ -122,6 +140,19 @@ public:
 private:
   struct Run;
 
+  // Where a phase lies on a ray.
+  struct RayPlace
+  {
+    std::size_t ray = 0; // or one beside which it was inserted
+    std::size_t before = 0;
+    std::size_t after = 0;
+    double weight = 0.0; // of the later point
+  };
+  RayPlace placeAt(std::size_t ray, double phase) const;
+  void findGroups(std::size_t ray);
+  double brokenSince(const RayPlace& place, double phase, double from, double share) const;
+  void lowerBy(CrestState& crest, const RayPlace& place, double phase, double delay, double share) const;
+
   void displaceRay(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
   void displaceByOwnPhase(std::size_t ray, double time, const WaveSection& section, const SurfaceArrays& arrays) const;
   void place(const Run& run, const SurfaceArrays& arrays) const;
@@ -131,8 +162,10 @@ private:
   SurfaceOptions Options;
   std::vector<SurfHistory> Histories; // one a ray
   std::vector<double> Ripeness;       // one a point of a ray
-  double ShoreDepth = 0.0;            // of points aground
-  std::vector<double> OwnPhase;       // one a point, where it is not the traced one; else empty
+  std::vector<double> GroupTime;      // one a point of a ray; empty without groups, as the next
+  std::vector<double> BrokenShare;
+  double ShoreDepth = 0.0;      // of points aground
+  std::vector<double> OwnPhase; // one a point, where it is not the traced one; else empty
 };
 
 }
