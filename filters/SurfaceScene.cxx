@@ -68,14 +68,13 @@ std::shared_ptr<const SurfaceScene> SurfaceScene::of(vtkPolyData* rays, vtkImage
       }
     }
   }
-  auto scene = std::make_shared<const SurfaceScene>(
-    rays, seafloor.get(image, elevation), settings.pointsPerWave, settings.seed, settings.straight, algorithm);
+  auto scene = std::make_shared<const SurfaceScene>(rays, seafloor.get(image, elevation), settings, algorithm);
   scenes.push_back({ rays->GetMTime(), image->GetMTime(), elevationTime, settings, scene });
   return scene;
 }
 
-SurfaceScene::SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed,
-  bool straight, vtkAlgorithm* algorithm)
+SurfaceScene::SurfaceScene(
+  vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, const Settings& settings, vtkAlgorithm* algorithm)
   : Bed(std::move(seafloor))
   , Walls(obstaclesOf(rays))
 {
@@ -84,7 +83,10 @@ SurfaceScene::SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> se
   this->Options.wavelength = wavelengthOf(wave.wavenumber());
   this->Options.waterLevel = fieldValue(rays, "WaterLevel").value_or(0.0);
   this->Options.breakerIndex = fieldValue(rays, "BreakerIndex").value_or(StandardGamma);
-  this->Options.seed = static_cast<std::uint64_t>(seed);
+  this->Options.seed = static_cast<std::uint64_t>(settings.seed);
+  this->Options.gravity = wave.gravity;
+  this->Options.groups = settings.groups;
+  settings.groups.validate();
   {
     const SheetArrays arrays(rays);
     const vtkIdType points = rays->GetNumberOfPoints();
@@ -96,15 +98,15 @@ SurfaceScene::SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> se
     input.breakingDistance = distance->GetPointer(0);
     input.maxSpacing = fieldValue(rays, "MaxSpacing").value_or(0.0);
     this->Sheet = std::make_unique<SurfaceSheet>(
-      input, *this->Bed, this->Options.waterLevel, pointsPerWave, makeExecution(algorithm, 0.0, 0.3));
+      input, *this->Bed, this->Options.waterLevel, settings.pointsPerWave, makeExecution(algorithm, 0.0, 0.3));
   }
   const SurfaceSheet& sheet = *this->Sheet;
   this->Surface = std::make_unique<WaveSurface>(sheet, *this->Bed, this->Options, makeExecution(algorithm, 0.3, 0.5));
 
-  if (straight)
+  if (settings.straight)
   {
     // As fine as the points along the rays are at least.
-    const double spacing = this->Options.wavelength / pointsPerWave;
+    const double spacing = this->Options.wavelength / settings.pointsPerWave;
     this->Surface->setPhase(StraightPhase(*this->Bed, wave, this->Options.waterLevel, spacing));
   }
 
@@ -145,6 +147,20 @@ SurfaceScene::SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> se
     makeArray<vtkDoubleArray>("BreakingPhase", breakingPhase),
     makeArray<vtkDoubleArray>("LaunchParameter", launchParameter),
     makeArray<vtkDoubleArray>("WaveHeight", sheet.Height), makeArray<vtkUnsignedCharArray>("RayState", sheet.State) };
+  if (settings.groups.any())
+  {
+    std::vector<double> groupTime(sheet.pointCount());
+    std::vector<double> brokenShare(sheet.pointCount());
+    for (std::size_t i = 0; i < sheet.pointCount(); ++i)
+    {
+      const std::size_t of =
+        i < sheet.rayPointCount() ? i : static_cast<std::size_t>(sheet.BeachBase[i - sheet.rayPointCount()]);
+      groupTime[i] = this->Surface->groupTime(of);
+      brokenShare[i] = this->Surface->brokenShare(of);
+    }
+    this->Arrays.push_back(makeArray<vtkDoubleArray>("GroupTime", groupTime));
+    this->Arrays.push_back(makeArray<vtkDoubleArray>("BrokenShare", brokenShare));
+  }
 }
 
 }

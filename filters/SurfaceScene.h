@@ -25,27 +25,28 @@ class SeafloorField;
 class SurfaceScene
 {
 public:
-  /**
-   * @param rays output of vtkSwellWaveHeight
-   * @param straight the phase of Peachey 1986 in place of the traced one
-   * @param algorithm gets the progress, from 0 to 0.5
-   * @throws std::invalid_argument naming what is missing; std::runtime_error as SurfaceSheet
-   */
-  SurfaceScene(vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, double pointsPerWave, int seed,
-    bool straight, vtkAlgorithm* algorithm);
-
   /** What a scene is made of besides its data. */
   struct Settings
   {
     double pointsPerWave = 16.0;
     int seed = 1;
+    WaveGroups groups;
     bool straight = false; ///< the phase of Peachey 1986
 
     bool operator==(const Settings& other) const
     {
-      return this->pointsPerWave == other.pointsPerWave && this->seed == other.seed && this->straight == other.straight;
+      return this->pointsPerWave == other.pointsPerWave && this->seed == other.seed && this->groups == other.groups &&
+        this->straight == other.straight;
     }
   };
+
+  /**
+   * @param rays output of vtkSwellWaveHeight
+   * @param algorithm gets the progress, from 0 to 0.5
+   * @throws std::invalid_argument naming what is missing; std::runtime_error as SurfaceSheet
+   */
+  SurfaceScene(
+    vtkPolyData* rays, std::shared_ptr<const Seafloor> seafloor, const Settings& settings, vtkAlgorithm* algorithm);
 
   /**
    * The scene of these data: the one that another filter holds of the same, or a new one.
@@ -65,7 +66,7 @@ public:
   const SurfaceOptions& options() const { return this->Options; }
   vtkCellArray* triangles() const { return this->Triangles; }
 
-  /** RayPhase, BreakingPhase, LaunchParameter, WaveHeight, RayState: one entry a point. */
+  /** RayPhase, BreakingPhase, LaunchParameter, WaveHeight, RayState, with groups GroupTime, BrokenShare: one entry a point. */
   const std::vector<vtkSmartPointer<vtkDataArray>>& arrays() const { return this->Arrays; }
 
 private:

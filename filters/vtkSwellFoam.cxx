@@ -33,11 +33,23 @@ int vtkSwellFoam::RequestData(vtkInformation*, vtkInformationVector** inputVecto
     const auto breaking = swellray::requireDoubles(input->GetPointData(), "BreakingPhase", count);
     const auto parameter = swellray::requireDoubles(input->GetPointData(), "LaunchParameter", count);
 
+    swellray::FoamPlaces places{ static_cast<std::size_t>(count), phase->GetPointer(0), breaking->GetPointer(0),
+      parameter->GetPointer(0) };
+    options.groups.waves = swellray::fieldValue(input, "GroupWaves").value_or(0.0);
+    vtkSmartPointer<vtkDoubleArray> groupTime;
+    vtkSmartPointer<vtkDoubleArray> brokenShare;
+    if (options.groups.any())
+    {
+      options.groups.lull = swellray::requireFieldValue(input, "GroupLull", owner);
+      groupTime = swellray::requireDoubles(input->GetPointData(), "GroupTime", count);
+      brokenShare = swellray::requireDoubles(input->GetPointData(), "BrokenShare", count);
+      places.groupTime = groupTime->GetPointer(0);
+      places.brokenShare = brokenShare->GetPointer(0);
+    }
+
     output->ShallowCopy(input);
     float* foam = swellray::addArray<vtkFloatArray>(output->GetPointData(), "Foam", count);
-    swellray::computeFoam(
-      { static_cast<std::size_t>(count), phase->GetPointer(0), breaking->GetPointer(0), parameter->GetPointer(0) },
-      time, options, foam, swellray::makeExecution(this));
+    swellray::computeFoam(places, time, options, foam, swellray::makeExecution(this));
     output->GetPointData()->SetActiveScalars("Foam");
   }
   catch (const std::exception& error)

@@ -92,7 +92,9 @@ int vtkSwellFoamMap::RequestData(
     const std::string spec = swellray::sectionSpec(this->Section, this->SectionParameters);
     const auto section = swellray::makeWaveSection(spec);
     this->Waves->update(inputVector[0], 0, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
-      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed, false }, this);
+      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed,
+        { this->GroupWaves, this->GroupLull }, false },
+      this);
     const swellray::MapGrid grid = swellray::makeMapNodes(outputVector->GetInformationObject(0), output);
     const std::array<double, 6> at{ grid.origin.x, grid.origin.y, grid.spacing.x, grid.spacing.y,
       static_cast<double>(grid.columns), static_cast<double>(grid.rows) };
@@ -146,5 +148,7 @@ void vtkSwellFoamMap::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeRange: " << this->TimeRange[0] << ", " << this->TimeRange[1] << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "GroupWaves: " << this->GroupWaves << "\n";
+  os << indent << "GroupLull: " << this->GroupLull << "\n";
   os << indent << "FoamLife: " << this->FoamLife << "\n";
 }

@@ -81,6 +81,18 @@ public:
   ///@}
 
   ///@{
+  /** Waves that pass a place in a group (swellray::WaveGroups), 2 or more; 0 (default): all waves are alike. */
+  vtkSetMacro(GroupWaves, double);
+  vtkGetMacro(GroupWaves, double);
+  ///@}
+
+  ///@{
+  /** Height of the lowest waves of a group over that of the highest, 0 to 1; default 0.3. */
+  vtkSetMacro(GroupLull, double);
+  vtkGetMacro(GroupLull, double);
+  ///@}
+
+  ///@{
   /** What varies from wave to wave is drawn from this; default 1. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -112,6 +124,8 @@ protected:
   double TimeRange[2] = { 0.0, 60.0 };
   double TimeStep = 0.1;
   int Seed = 1;
+  double GroupWaves = 0.0;
+  double GroupLull = 0.3;
   double FoamLife = 8.0;
 
 private:

@@ -75,7 +75,9 @@ int vtkSwellSpray::RequestData(vtkInformation*, vtkInformationVector** inputVect
     const std::string spec = swellray::sectionSpec(this->Section, this->SectionParameters);
     const auto section = swellray::makeWaveSection(spec);
     auto scene = swellray::SurfaceScene::of(rays, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
-      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed, false }, this);
+      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed,
+        { this->GroupWaves, this->GroupLull }, false },
+      this);
     const std::array<double, 4> settings{ this->Rate, this->Steepest, this->Scatter, this->Rebound };
     if (!this->Thrower || scene != this->Scene || !std::equal(settings.begin(), settings.end(), this->ThrowerSettings))
     {
@@ -150,6 +152,8 @@ void vtkSwellSpray::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeRange: " << this->TimeRange[0] << ", " << this->TimeRange[1] << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "GroupWaves: " << this->GroupWaves << "\n";
+  os << indent << "GroupLull: " << this->GroupLull << "\n";
   os << indent << "Rate: " << this->Rate << "\n";
   os << indent << "Steepest: " << this->Steepest << "\n";
   os << indent << "Scatter: " << this->Scatter << "\n";

@@ -85,7 +85,7 @@ int vtkSwellSurface::RequestData(
     const auto section = swellray::makeWaveSection(spec);
     vtkDataArray* elevation = this->GetInputArrayToProcess(0, inputVector);
     swellray::SurfaceScene::Settings settings{ swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()),
-      this->Seed, this->PhaseRule == STRAIGHT };
+      this->Seed, { this->GroupWaves, this->GroupLull }, this->PhaseRule == STRAIGHT };
     this->Scene = swellray::SurfaceScene::of(rays, image, elevation, *this->Seafloor, settings, this);
     settings.straight = false;
     this->Others->update(inputVector[0], 1, image, elevation, *this->Seafloor, settings, this);
@@ -146,6 +146,11 @@ int vtkSwellSurface::RequestData(
     swellray::setFieldValue(output, "SectionVariation", section->variation());
     swellray::setFieldInteger(output, "Seed", this->Seed);
     swellray::setFieldValue(output, "IncidentWavelength", scene.options().wavelength);
+    if (this->GroupWaves > 0.0)
+    {
+      swellray::setFieldValue(output, "GroupWaves", this->GroupWaves);
+      swellray::setFieldValue(output, "GroupLull", this->GroupLull);
+    }
     swellray::setFieldValue(output, "Time", time);
     output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
   }
@@ -168,6 +173,8 @@ void vtkSwellSurface::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TimeRange: " << this->TimeRange[0] << ", " << this->TimeRange[1] << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "GroupWaves: " << this->GroupWaves << "\n";
+  os << indent << "GroupLull: " << this->GroupLull << "\n";
   os << indent << "Still: " << this->Still << "\n";
   os << indent << "TextureSize: " << this->TextureSize << "\n";
 }

@@ -33,12 +33,13 @@ class SurfaceWaves;
  * - Phase (double, rad): Phi = S - omega t; crests are at 2 pi n
  * - RayPhase (double, rad): S, the phase that was traced, or the straight one; BreakingPhase (double, rad): S where the breaking that the
  *   point lies in began, NaN where waves are not broken; LaunchParameter (double, m): of the ray
- * - WaveHeight (double, m)
+ * - WaveHeight (double, m): as traced
+ * - GroupTime (double, s), BrokenShare (double), with groups only: as swellray::WaveSurface has them, for their foam
  * - Breaking (unsigned char): 1 where the wave that is there now is broken
  * - RayState (unsigned char)
  * - TextureCoordinates (float, 2 components): of the displaced point, metres over TextureSize; the active ones
  * and the field data of the rays with Section (string), SectionVariation (double, wavelengths), Seed (int),
- * IncidentWavelength (double, m) and Time (double, s). After an abort the output is empty.
+ * IncidentWavelength (double, m), with groups GroupWaves and GroupLull (double), and Time (double, s). After an abort the output is empty.
  *
  * The pipeline has TIME_STEPS, so that the play button of ParaView animates it: a frame is that of UPDATE_TIME_STEP, or of
  * Time where none is asked for. Frames do not depend on each other; the sheet is kept between them.
@@ -104,6 +105,18 @@ public:
   ///@}
 
   ///@{
+  /** Waves that pass a place in a group (swellray::WaveGroups), 2 or more; 0 (default): all waves are alike. */
+  vtkSetMacro(GroupWaves, double);
+  vtkGetMacro(GroupWaves, double);
+  ///@}
+
+  ///@{
+  /** Height of the lowest waves of a group over that of the highest, 0 to 1; default 0.3. */
+  vtkSetMacro(GroupLull, double);
+  vtkGetMacro(GroupLull, double);
+  ///@}
+
+  ///@{
   /** What varies from wave to wave is drawn from this; default 1. */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -142,6 +155,8 @@ protected:
   double TimeRange[2] = { 0.0, 60.0 };
   double TimeStep = 0.1;
   int Seed = 1;
+  double GroupWaves = 0.0;
+  double GroupLull = 0.3;
   vtkTypeBool Still = 0;
   double TextureSize = 20.0;
 

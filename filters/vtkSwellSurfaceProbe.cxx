@@ -62,7 +62,9 @@ int vtkSwellSurfaceProbe::RequestData(
     motion.foam.life = this->FoamLife;
     motion.foam.validate();
     this->Waves->update(inputVector[0], 0, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
-      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed, false }, this);
+      { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed,
+        { this->GroupWaves, this->GroupLull }, false },
+      this);
 
     const vtkIdType count = asked->GetNumberOfPoints();
     std::vector<glm::dvec2> places(static_cast<std::size_t>(count));
@@ -139,5 +141,7 @@ void vtkSwellSurfaceProbe::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PointsPerWave: " << this->PointsPerWave << "\n";
   os << indent << "Time: " << this->Time << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "GroupWaves: " << this->GroupWaves << "\n";
+  os << indent << "GroupLull: " << this->GroupLull << "\n";
   os << indent << "FoamLife: " << this->FoamLife << "\n";
 }

@@ -160,12 +160,28 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
   heights->SetMaxRefraction(options.maxRefraction);
 }
 
+namespace
+{
+
+template <typename Filter>
+void setGroups(Filter* filter, const SurfaceRequest& options)
+{
+  filter->SetGroupWaves(options.groupWaves.value_or(0.0));
+  if (options.groupLull)
+  {
+    filter->SetGroupLull(*options.groupLull);
+  }
+}
+
+}
+
 void setUp(vtkSwellSurface* surface, const SurfaceRequest& options)
 {
   surface->SetSection(options.profile);
   surface->SetPhaseRule(options.straightPhase ? vtkSwellSurface::STRAIGHT : vtkSwellSurface::TRACED);
   surface->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
   surface->SetSeed(options.seed);
+  setGroups(surface, options);
 }
 
 void setUp(vtkSwellSpray* spray, const SurfaceRequest& options)
@@ -173,6 +189,7 @@ void setUp(vtkSwellSpray* spray, const SurfaceRequest& options)
   spray->SetSection(options.profile);
   spray->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
   spray->SetSeed(options.seed);
+  setGroups(spray, options);
   spray->SetSteepest(options.spraySteepness.value_or(0.0));
   if (options.sprayRate)
   {
@@ -185,6 +202,7 @@ void setUp(vtkSwellFoamMap* foam, const SurfaceRequest& options)
   foam->SetSection(options.profile);
   foam->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
   foam->SetSeed(options.seed);
+  setGroups(foam, options);
   foam->SetSpacing(options.foamSpacing.value_or(0.0));
   if (options.foamLife)
   {
@@ -197,6 +215,7 @@ void setUp(vtkSwellSurfaceProbe* probe, const SurfaceRequest& options)
   probe->SetSection(options.profile);
   probe->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
   probe->SetSeed(options.seed);
+  setGroups(probe, options);
   if (options.foamLife)
   {
     probe->SetFoamLife(*options.foamLife);

@@ -195,6 +195,8 @@ struct SurfaceRequest
   std::optional<double> foamLife;         ///< s
   std::optional<double> foamSpacing;      ///< of the nodes of its grid, m; none: the seafloor's
   int seed = 1;
+  std::optional<double> groupWaves;     ///< a group; none: all are alike
+  std::optional<double> groupLull;      ///< height of the lowest over that of the highest
   std::vector<IncidentWave> components; ///< further waves of the sea: period, direction and height
   std::optional<double> sprayRate;      ///< particles a metre of crest and metre
   std::optional<double> spraySteepness; ///< H/L from which on crests throw; none: as the trace breaks

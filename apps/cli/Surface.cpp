@@ -114,6 +114,10 @@ void checkSurface(Request& request)
   {
     throw UsageError("--spray-rate and --spray-steepness need --spray FILE");
   }
+  if (surface.groupLull && !surface.groupWaves)
+  {
+    throw UsageError("--group-lull needs --group-waves N");
+  }
   if (surface.foamSpacing && request.output.foam.empty())
   {
     throw UsageError("--foam-spacing needs --foam FILE");
@@ -234,8 +238,12 @@ CommandSpec surfaceSpec(Request& request)
     choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),
-    timesOption(surface.times, "Surface"), componentOption(surface), points,
-    number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds),
+    timesOption(surface.times, "Surface"), componentOption(surface),
+    number("--group-waves", "N", "waves a group: high ones in its middle, low ones between two", "all alike", "Surface",
+      surface.groupWaves, { "", 2.0, 1e6 }),
+    number("--group-lull", "SHARE", "height of the lowest waves of a group over that of the highest", "0.3", "Surface",
+      surface.groupLull, Share),
+    points, number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds),
     number("--foam-spacing", "M", "distance of the nodes of --foam, m", "that of the seafloor", "Surface",
       surface.foamSpacing, PositiveMetres),
     seed,
@@ -258,6 +266,7 @@ CommandSpec surfaceSpec(Request& request)
     "  swellray surface bay --period 8 --direction 90 --height 1 --at buoys.csv --times 0:600:0.5 --table series.csv\n"
     "  swellray surface babbage --period 6 --direction 0 --height 1 --component 2,20,0.1 --component 2.5,-15,0.15 -o "
     "b.vtp\n"
+    "  swellray surface babbage --period 6 --direction 0 --height 1.5 --group-waves 7 --times 0:84:0.1 -o sets.pvd\n"
     "A series that was broken off goes on where it was when the same call is made again.\n";
   spec.check = checkSurface;
   spec.run = runSurface;

@@ -40,6 +40,11 @@ swellray_cli_test(surface_foam_series 0 "^frames[^\n]* 0 kept\n3\nframes[^\n]* 6
   "run() { $SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.5 --foam f.pvd -o s.pvd | grep frames; } && run && grep -c 'f_.*[.]vti' f.pvd && run")
 swellray_cli_test(surface_foam_spacing_alone 2 "" "--foam-spacing needs --foam" "${surface} -o s.vtp --foam-spacing 5")
 swellray_cli_test(surface_foam_straight 2 "" "leave out --phase straight" "${surface} --phase straight --foam f.vti")
+# Waves in groups: 4 m of water at 50 m, where the lowest have a fifth of the height.
+swellray_cli_test(surface_groups 0 "^yes\n$" "warning: the seafloor grid|^$"
+  "printf 'x,y\\n60,100\\n' > p.csv && ${surface} --profile airy --at p.csv --table a.csv --times 0:30:0.1 --group-waves 5 --group-lull 0.2 && awk -F, 'NR > 1 { e = \$4 > 0 ? \$4 : -\$4; if (NR < 30 || NR > 270) next; i = int(NR / 60); if (e > m[i]) m[i] = e } END { h = l = m[1]; for (i in m) { h = m[i] > h ? m[i] : h; l = m[i] < l ? m[i] : l }; print (h > 2 * l ? \"yes\" : \"no\" h \" \" l) }' a.csv")
+swellray_cli_test(surface_group_lull_alone 2 "" "--group-lull needs --group-waves" "${surface} -o s.vtp --group-lull 0.5")
+swellray_cli_test(surface_group_waves 2 "" "--group-waves must be" "${surface} -o s.vtp --group-waves 1")
 # A sea of several waves.
 swellray_cli_test(surface_components 0 "1\n2\n$" "warning: the seafloor grid|^$"
   "printf 'x,y\\n100,100\\n' > p.csv && ${surface} --at p.csv --table a.csv && ${surface} --at p.csv --table b.csv --component 3,260,0.2 --component 2.5,280,0.1 && grep -c -v '^x' a.csv && cmp -s a.csv b.csv; echo $(( $? + 1 ))")

@@ -370,7 +370,8 @@ class Rays(Lines):
         run(algorithm)
         return Stations(output_of(algorithm))
 
-    def surface(self, time=0.0, *, profile="gonzato-lesaec", phase="traced", points_per_wave=None, foam_life=None, seed=1):
+    def surface(self, time=0.0, *, profile="gonzato-lesaec", phase="traced", points_per_wave=None, foam_life=None, seed=1,
+                group_waves=None, group_lull=None):
         """The breaking-wave surface with its foam. Times may be asked for in any order; what they share is kept.
 
         time: s
@@ -380,11 +381,14 @@ class Rays(Lines):
         points_per_wave: 16 or more; default: as the profile needs
         foam_life: time until foam is gone, s; default 8
         seed: what varies from wave to wave is drawn from this
+        group_waves: waves a group, 2 or more, high ones in its middle; default: all are alike
+        group_lull: height of the lowest waves of a group over that of the highest; default 0.3
         """
-        key = (profile, phase, points_per_wave, seed)
+        key = (profile, phase, points_per_wave, seed, group_waves, group_lull)
         if key not in self._surfaces:
             algorithm = configure(filters.vtkSwellSurface(), profile=profile, phase=phase,
-                                  points_per_wave=points_per_wave, seed=seed)
+                                  points_per_wave=points_per_wave, seed=seed, group_waves=group_waves,
+                                  group_lull=group_lull)
             self._surfaces[key] = self._on_seafloor(algorithm)
         algorithm = configure(self._surfaces[key], time=float(time))
         run(algorithm)
@@ -394,7 +398,7 @@ class Rays(Lines):
         return Surface(output_of(foam))
 
     def surface_at(self, places, time=0.0, *, coordinates="file", profile="gonzato-lesaec", points_per_wave=None,
-                   foam_life=None, seed=1):
+                   foam_life=None, seed=1, group_waves=None, group_lull=None):
         """The surface at places without a mesh: SurfaceElevation (of the topmost sheet, m), Normals, Velocity, Depth,
         Foam, Breaking; Waves is the number of waves that cross there, which are added. NaN where no wave comes.
 
@@ -402,52 +406,54 @@ class Rays(Lines):
         time: s, one for all places or n of them
         coordinates: of places: "file", longitude and latitude or x and y as the seafloor's file has them; or "scene",
             metres in its plane
-        profile, points_per_wave, foam_life, seed: as for surface()
+        profile, points_per_wave, foam_life, seed, group_waves, group_lull: as for surface()
         """
         points = self.seafloor.places(places, coordinates)
         times = numpy.broadcast_to(numpy.asarray(time, dtype=float), points.GetNumberOfPoints())
         array = numpy_to_vtk(numpy.ascontiguousarray(times), deep=True)
         array.SetName("Time")
         points.GetPointData().AddArray(array)
-        key = ("at", profile, points_per_wave, seed)
+        key = ("at", profile, points_per_wave, seed, group_waves, group_lull)
         if key not in self._surfaces:
             algorithm = configure(filters.vtkSwellSurfaceProbe(), profile=profile, points_per_wave=points_per_wave,
-                                  seed=seed)
+                                  seed=seed, group_waves=group_waves, group_lull=group_lull)
             self._surfaces[key] = self._on_seafloor(algorithm)
         algorithm = configure(self._surfaces[key], foam_life=8.0 if foam_life is None else foam_life)
         algorithm.SetInputDataObject(2, points)
         run(algorithm)
         return Stations(output_of(algorithm))
 
-    def foam(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, foam_life=None, foam_spacing=None, seed=1):
+    def foam(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, foam_life=None, foam_spacing=None, seed=1,
+             group_waves=None, group_lull=None):
         """Foam on a grid of still water: Foam, 0 to 1, NaN where no wave comes.
 
         time: s
-        profile, points_per_wave, foam_life, seed: as for surface()
+        profile, points_per_wave, foam_life, seed, group_waves, group_lull: as for surface()
         foam_spacing: of the nodes, m; default: the nodes of the seafloor
         """
-        key = ("foam", profile, points_per_wave, seed, foam_spacing)
+        key = ("foam", profile, points_per_wave, seed, foam_spacing, group_waves, group_lull)
         if key not in self._surfaces:
             algorithm = configure(filters.vtkSwellFoamMap(), profile=profile, points_per_wave=points_per_wave, seed=seed,
-                                  foam_spacing=foam_spacing)
+                                  group_waves=group_waves, group_lull=group_lull, foam_spacing=foam_spacing)
             self._surfaces[key] = self._on_seafloor(algorithm)
         algorithm = configure(self._surfaces[key], time=float(time), foam_life=8.0 if foam_life is None else foam_life)
         run(algorithm)
         return Map(output_of(algorithm))
 
-    def spray(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, seed=1, spray_rate=None,
-              spray_steepness=None):
+    def spray(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, seed=1, group_waves=None, group_lull=None,
+              spray_rate=None, spray_steepness=None):
         """Spray in the air at a time, of breaking crests and of waves that strike obstacles.
 
         time: s
-        profile, points_per_wave, seed: as for surface()
+        profile, points_per_wave, seed, group_waves, group_lull: as for surface()
         spray_rate: particles a metre of crest and metre by which its water is ahead of the wave; default 20
         spray_steepness: height over length from which on crests throw spray; default: where the trace breaks
         """
-        key = ("spray", profile, points_per_wave, seed, spray_rate, spray_steepness)
+        key = ("spray", profile, points_per_wave, seed, spray_rate, spray_steepness, group_waves, group_lull)
         if key not in self._surfaces:
             algorithm = configure(filters.vtkSwellSpray(), profile=profile, points_per_wave=points_per_wave, seed=seed,
-                                  spray_rate=spray_rate, spray_steepness=spray_steepness)
+                                  group_waves=group_waves, group_lull=group_lull, spray_rate=spray_rate,
+                                  spray_steepness=spray_steepness)
             self._surfaces[key] = self._on_seafloor(algorithm)
         algorithm = configure(self._surfaces[key], time=float(time))
         run(algorithm)
