@@ -54,8 +54,8 @@ struct Scene
   vtkNew<vtkSwellWaveHeight> Heights;
 };
 
-// Points of the mesh are met to rounding; elevations are up to some metres.
-constexpr double Rounding = 1e-9;
+// Places on edges are looked up 1e-10 of the scene beside them, on slopes below 1.
+constexpr double Beside = 4e-8;
 
 }
 
@@ -95,7 +95,7 @@ TEST(SurfaceGroups, areTheSameOnTheMeshAndWithoutIt)
     for (std::size_t i = 0; i < chosen.size(); ++i)
     {
       const auto at = static_cast<vtkIdType>(i);
-      EXPECT_NEAR(values->GetArray("SurfaceElevation")->GetComponent(at, 0), mesh->GetPoint(chosen[i])[2], Rounding);
+      EXPECT_NEAR(values->GetArray("SurfaceElevation")->GetComponent(at, 0), mesh->GetPoint(chosen[i])[2], Beside);
       EXPECT_NEAR(values->GetArray("Foam")->GetComponent(at, 0),
         mesh->GetPointData()->GetArray("Foam")->GetComponent(chosen[i], 0), 1e-5);
     }
