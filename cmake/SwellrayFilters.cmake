@@ -4,7 +4,7 @@ if(SWELLRAY_BUILD_PYTHON)
 endif()
 find_package(VTK 9.1 CONFIG REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMisc CommonTransforms FiltersCore FiltersGeneral
-  FiltersModeling FiltersSources IOImage IOXML InteractionStyle RenderingAnnotation RenderingCore
+  FiltersModeling FiltersSources IOExport IOImage IOImport IOXML InteractionStyle RenderingAnnotation RenderingCore
   RenderingFreeType RenderingOpenGL2
   ${swellray_python_vtk})
 vtk_module_scan(

@@ -395,6 +395,12 @@ vtkImageData* Pipeline::makeFoamMap(double time)
   return this->FoamMap->GetOutput();
 }
 
+void Pipeline::setPointsPerWave(double points)
+{
+  this->Surface->SetPointsPerWave(points);
+  this->Spray->SetPointsPerWave(points);
+}
+
 vtkPolyData* Pipeline::makeSpray(double time)
 {
   this->Spray->SetInputConnection(0, this->Heights->GetOutputPort());

@@ -76,6 +76,9 @@ public:
   /** Foam of the same waves on a grid of still water at a time, s. @throws WorkError */
   vtkImageData* makeFoamMap(double time);
 
+  /** Points a wavelength of the surface from now on, 16 or more; 0: as many as the section asks for. */
+  void setPointsPerWave(double points);
+
   /** Spray at a time, s, over the same rays. @throws WorkError */
   vtkPolyData* makeSpray(double time);
 

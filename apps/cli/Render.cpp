@@ -8,6 +8,7 @@
 #include "Pipeline.h"
 #include "RayStarts.h"
 #include "RenderScene.h"
+#include "SceneExport.h"
 #include "TimeSeriesOption.h"
 
 #include "bathymetry/ObstacleReader.h"
@@ -105,9 +106,11 @@ void checkScene(const Request& request)
   {
     throw UsageError("--time and --times exclude each other; leave out one of the two");
   }
-  if (movie != render.times.has_value())
+  const bool page = isPage(request.output.scene);
+  if (movie ? !render.times : render.times && !page)
   {
-    throw UsageError(movie ? "a movie needs --times T0:T1:DT" : "--times needs a movie to write: -o FILE.ogv");
+    throw UsageError(movie ? "a movie needs --times T0:T1:DT"
+                           : "--times needs a movie or a page to write: -o FILE.ogv or --export FILE.html");
   }
 }
 
@@ -159,6 +162,15 @@ OptionSpec sunOption(RenderRequest& render)
 
 void checkRender(Request& request)
 {
+  if (request.output.file.empty() && request.output.scene.empty())
+  {
+    throw UsageError("render has nothing to write: give -o FILE or --export FILE");
+  }
+  checkOutputs(request.output);
+  if (!request.output.scene.empty())
+  {
+    request.render.scene = true;
+  }
   checkRays(request.rays);
   checkEarth(request);
   checkStart(request);
@@ -177,12 +189,12 @@ void checkRender(Request& request)
 
 void runRender(const Request& request, Console& console)
 {
-  OutputFile file(request.output.file, inputFiles(request));
   if (request.render.scene)
   {
-    renderScene(request, console, file);
+    renderScene(request, titleOf(request), console);
     return;
   }
+  OutputFile file(request.output.file, inputFiles(request));
   Pipeline pipeline(request, console);
   vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
 
@@ -253,6 +265,8 @@ CommandSpec renderSpec(Request& request)
   }
   spec.options = { outputFile("-o,--output", "picture, .png or .jpg; movie of a scene, .ogv", request.output.file,
                      { ".png", ".jpg", ".ogv" }),
+    outputFile("--export", "the scene for others to draw, .gltf; or a page that plays its waves, .html",
+      request.output.scene, { ".gltf", ".html" }),
     size,
     choice("--style", "a chart, or the water in three dimensions", "chart", "Picture", render.scene,
       std::vector<std::pair<std::string, bool>>{ { "chart", false }, { "scene", true } }),
@@ -266,7 +280,6 @@ CommandSpec renderSpec(Request& request)
       std::vector<std::pair<std::string, ChartFrame>>{
         { "auto", ChartFrame::Auto }, { "metric", ChartFrame::Metric }, { "graticule", ChartFrame::Graticule } }),
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
-  spec.options.front().required = true;
   OptionSpec time = number("--time", "S", "time of a scene, s", "0", "Scene", render.time, { "seconds" });
   add(spec.options, { cameraOption(render), sunOption(render), time, timesOption(render.times, "Scene") });
   add(spec.options, contourOptions(request.contour));
@@ -281,6 +294,7 @@ CommandSpec renderSpec(Request& request)
                   "  swellray render harbour.tif --style scene --period 9 --direction 285 --height 1.5 -o shore.png\n"
                   "  swellray render bay --style scene --camera aerial --period 3 --direction 90 --height 0.4 --times "
                   "0:10:0.04 -o bay.ogv\n"
+                  "  swellray render bay --period 3 --direction 90 --height 0.4 --export bay.html\n"
                   "Where no display is set, an X server in memory (Xvfb) is started for the picture.\n";
   spec.check = checkRender;
   spec.run = runRender;

@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "FieldValues.h"
 #include "OutputFile.h"
+#include "SceneExport.h"
 
 #include "apps/drawing/VirtualDisplay.h"
 #include "apps/scene/ScenePicture.h"
@@ -19,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 namespace swellray::cli
 {
@@ -58,7 +61,7 @@ scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
     }
     return camera;
   }
-  return scene::cameraByName(render.camera,
+  return scene::cameraByName(render.camera.value_or(scene::CameraName::Shore),
     { seafloor, request.seafloor.options.waterLevel, request.rays.wave.directionFrom, request.rays.wave.height });
 }
 
@@ -125,20 +128,11 @@ private:
   bool Begun = false;
 };
 
-}
-
-void renderScene(const Request& request, Console& console, OutputFile& file)
+scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
 {
-  Pipeline pipeline(request, console);
-  vtkImageData* seafloor = pipeline.readSeafloor()->GetOutput();
-  pipeline.traceRays();
-  vtkPolyData* rays = pipeline.computeHeights();
-  if (rays->GetNumberOfPoints() > MostRayPoints)
-  {
-    throw WorkError("the scene has too many waves to be drawn one by one; take a part of the seafloor with --crop");
-  }
   const RenderRequest& render = request.render;
   const auto size = render.size.value_or(StandardSize);
+  vtkImageData* seafloor = pipeline.readSeafloor(Pipeline::Notes::Keep)->GetOutput();
   scene::SceneContent content;
   content.seafloor = seafloor;
   content.waterLevel = request.seafloor.options.waterLevel;
@@ -150,7 +144,13 @@ void renderScene(const Request& request, Console& console, OutputFile& file)
                            : scene::SkyModel(std::remainder(content.directionFrom + SunRight, 360.0), SunElevation);
   content.width = size[0];
   content.height = size[1];
+  return content;
+}
 
+void drawScene(
+  const Request& request, Pipeline& pipeline, const scene::SceneContent& content, Console& console, OutputFile& file)
+{
+  const RenderRequest& render = request.render;
   const drawing::VirtualDisplay display;
   scene::ScenePicture picture(content);
   if (!render.times)
@@ -158,7 +158,7 @@ void renderScene(const Request& request, Console& console, OutputFile& file)
     const double time = render.time.value_or(0.0);
     writePicture(picture.draw(pipeline.makeSurface(time), time), file);
     file.commit();
-    console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), size[0], size[1]));
+    console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), content.width, content.height));
     return;
   }
   Movie movie(file, render.times->step);
@@ -172,7 +172,45 @@ void renderScene(const Request& request, Console& console, OutputFile& file)
   console.endProgress();
   movie.end();
   file.commit();
-  console.say(fmt::format("wrote {}, {} frames of {} x {} pixels", file.path(), count, size[0], size[1]));
+  console.say(fmt::format("wrote {}, {} frames of {} x {} pixels", file.path(), count, content.width, content.height));
+}
+
+}
+
+void renderScene(const Request& request, const std::string& title, Console& console)
+{
+  // Files are opened, and libraries found, before the work that they wait for.
+  const std::vector<std::string> inputs = inputFiles(request);
+  std::optional<OutputFile> file;
+  std::optional<OutputFile> sceneFile;
+  if (!request.output.file.empty())
+  {
+    file.emplace(request.output.file, inputs);
+  }
+  if (!request.output.scene.empty())
+  {
+    sceneFile.emplace(request.output.scene, inputs);
+    if (isPage(request.output.scene))
+    {
+      findPageLibrary();
+    }
+  }
+  Pipeline pipeline(request, console);
+  pipeline.readSeafloor();
+  pipeline.traceRays();
+  if (pipeline.computeHeights()->GetNumberOfPoints() > MostRayPoints)
+  {
+    throw WorkError("the scene has too many waves to be drawn one by one; take a part of the seafloor with --crop");
+  }
+  const scene::SceneContent content = contentOf(request, pipeline);
+  if (file)
+  {
+    drawScene(request, pipeline, content, console, *file);
+  }
+  if (sceneFile)
+  {
+    exportScene(request, pipeline, content, title, console, *sceneFile);
+  }
 }
 
 }

@@ -6,10 +6,11 @@ namespace swellray::cli
 {
 
 /**
- * Draw the water of the waves that the request gives, in three dimensions: a picture, or a movie of its times.
- * @param file is committed
+ * Draw the water of the waves that the request gives, in three dimensions: a picture, or a movie of its times; and write
+ * the scene for others to draw.
+ * @param title of the scene
  * @throws WorkError
  */
-void renderScene(const Request& request, Console& console, OutputFile& file);
+void renderScene(const Request& request, const std::string& title, Console& console);
 
 }

@@ -153,7 +153,7 @@ struct RenderRequest
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
   std::string title;                      ///< empty: name of the seafloor
   bool scene = false;                     ///< the water in three dimensions in place of a chart
-  scene::CameraName camera = scene::CameraName::Shore;
+  std::optional<scene::CameraName> camera;
   std::optional<std::array<double, 6>> cameraPlace; ///< eye and focus, in the grid's own coordinates and m
   std::optional<std::array<double, 2>> sun;         ///< azimuth, nautical, and elevation, degrees
   std::optional<double> time;                       ///< s
@@ -251,6 +251,7 @@ struct OutputRequest
   std::string breakerLine;
   std::string spray;
   std::string foam; ///< on a grid
+  std::string scene; ///< for others to draw
   std::string map;
   std::string table;      ///< waves at the stations
   std::string spectra;    ///< spectra at the stations
