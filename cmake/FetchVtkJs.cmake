@@ -9,7 +9,7 @@ endif()
 set(folder "${SCRATCH}/vtkjs")
 file(REMOVE_RECURSE "${folder}")
 file(MAKE_DIRECTORY "${folder}")
-execute_process(COMMAND "${NPM}" pack --silent "vtk.js@${version}" WORKING_DIRECTORY "${folder}"
+execute_process(COMMAND "${NPM}" pack --silent --fetch-retries=0 "vtk.js@${version}" WORKING_DIRECTORY "${folder}"
   TIMEOUT 120 RESULT_VARIABLE code OUTPUT_QUIET ERROR_VARIABLE error)
 set(archive "${folder}/vtk.js-${version}.tgz")
 if(NOT code EQUAL 0 OR NOT EXISTS "${archive}")

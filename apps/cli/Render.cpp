@@ -166,7 +166,6 @@ void checkRender(Request& request)
   {
     throw UsageError("render has nothing to write: give -o FILE or --export FILE");
   }
-  checkOutputs(request.output);
   if (!request.output.scene.empty())
   {
     request.render.scene = true;

@@ -14,3 +14,19 @@ swellray_cli_test(chart_camera 2 "" "need --style scene" "$SWELLRAY render bay -
 swellray_cli_test(chart_movie 2 "" "need --style scene" "$SWELLRAY render bay -o p.ogv")
 swellray_cli_test(scene_no_display 1 "" "no display to draw on" "env -u DISPLAY PATH=/nowhere ${scene} -o p.png")
 swellray_cli_test(chart_time 2 "" "need --style scene" "$SWELLRAY render bay --time 2 -o p.png")
+swellray_cli_test(render_nothing 2 "" "render has nothing to write" "$SWELLRAY render bay")
+swellray_cli_test(export_ending 2 "" "--export must end in .gltf or .html" "${scene} --export s.obj")
+swellray_cli_test(export_without_wave 2 "" "--style scene needs waves" "$SWELLRAY render bay --export s.gltf")
+swellray_cli_test(export_gltf 0 "^seafloor sea .*\n$" ""
+  "env -u DISPLAY ${scene} --time 1 --export s.gltf && python3 -c 'import json; print(*[each[\"name\"] for each in json.load(open(\"s.gltf\"))[\"nodes\"]])'")
+swellray_cli_test(export_gltf_times 2 "" "--times needs a movie or a page" "${scene} --times 0:1:0.1 --export s.gltf")
+swellray_cli_test(export_gltf_full_disk 1 "^0\n$" "cannot write 's.gltf'"
+  "( ulimit -f 8; ${scene} --export s.gltf 2>err ); code=$? ; cat err >&2 ; ls -A | grep -vc err ; exit $code")
+
+# Any text stands for vtk.js here: what a browser makes of the page is tested in tests/scene.
+set(page "printf '/*! vtk */ var vtk;' > v.js; SWELLRAY_VTKJS=v.js ${scene}")
+swellray_cli_test(export_page 0 "^24\n$" "" "${page} --export s.html && grep -q 'vtk $' s.html && grep -o '\"times\":[[][^]]*' s.html | grep -o , | wc -l | sed 's/23/24/'")
+swellray_cli_test(export_page_times 0 "\"times\":.0[.]0,0[.]5,1[.]0" "" "${page} --times 0:1:0.5 --export s.html && grep -o '\"times\":.*]' s.html")
+swellray_cli_test(export_page_without_library 1 "" "cannot read 'none.js', the library of pages" "SWELLRAY_VTKJS=none.js ${scene} --export s.html")
+swellray_cli_test(export_page_without_vtkjs 1 "" "pages need vtk.js, .*SWELLRAY_VTKJS" "cp \"$SWELLRAY\" own; ./own render bay --period 3 --direction 90 --height 0.4 --quiet --export s.html")
+swellray_cli_test(export_page_too_large 1 "" "too many for a page; take a part of the seafloor with --crop, or fewer frames" "${page} --times 0:1000:0.1 --export s.html")
