@@ -5,6 +5,7 @@
 #include "Chart.h"
 #include "Failure.h"
 #include "FieldValues.h"
+#include "PictureSeries.h"
 #include "Pipeline.h"
 #include "RayStarts.h"
 #include "RenderScene.h"
@@ -87,9 +88,9 @@ void checkScene(const Request& request)
   const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
   if (!render.scene)
   {
-    if (render.sceneOnly || render.time || render.times || movie)
+    if (render.sceneOnly || render.time || render.times || movie || isNumbered(request.output.file))
     {
-      throw UsageError("--camera, --sun, --time, --times and a movie (.ogv) need --style scene");
+      throw UsageError("--camera, --sun, --time, --times, a movie (.ogv) and numbered pictures need --style scene");
     }
     return;
   }
@@ -106,12 +107,41 @@ void checkScene(const Request& request)
   {
     throw UsageError("--time and --times exclude each other; leave out one of the two");
   }
-  const bool page = isPage(request.output.scene);
-  if (movie ? !render.times : render.times && !page)
+  const bool numbered = isNumbered(request.output.file);
+  if ((movie || numbered) && !render.times)
   {
-    throw UsageError(movie ? "a movie needs --times T0:T1:DT"
-                           : "--times needs a movie or a page to write: -o FILE.ogv or --export FILE.html");
+    throw UsageError(fmt::format("{} needs --times T0:T1:DT", movie ? "a movie" : "a series of pictures"));
   }
+  if (render.times && !movie && !numbered && !isPage(request.output.scene))
+  {
+    throw UsageError("--times needs a movie, numbered pictures or a page to write: -o FILE.ogv, -o FOLDER/%04d.png or "
+                     "--export FILE.html");
+  }
+  if (numbered && std::filesystem::path(request.output.file).extension() != ".png")
+  {
+    throw UsageError("a series of pictures is .png");
+  }
+}
+
+// What VTK can write here; of other kinds of movies how they are made of it.
+OptionSpec pictureOption(std::string& target)
+{
+  OptionSpec spec =
+    outputFile("-o,--output", "picture, .png or .jpg; of a scene also a movie, .ogv, or numbered pictures, %04d.png",
+      target, { ".png", ".jpg", ".ogv" });
+  const auto setName = spec.set;
+  spec.set = [setName](const std::string& typed)
+  {
+    const std::string ending = std::filesystem::path(typed).extension().string();
+    if (ending == ".mp4" || ending == ".avi" || ending == ".webm" || ending == ".mov")
+    {
+      throw UsageError(fmt::format("VTK writes no {} here: write -o FILE.ogv, or -o FOLDER/%04d.png and make it with "
+                                   "'ffmpeg -framerate 25 -i FOLDER/%04d.png FILE{}'",
+        ending, ending));
+    }
+    setName(typed);
+  };
+  return spec;
 }
 
 OptionSpec cameraOption(RenderRequest& render)
@@ -262,8 +292,7 @@ CommandSpec renderSpec(Request& request)
   {
     colorMaps.emplace_back(map.first, colorMaps.size());
   }
-  spec.options = { outputFile("-o,--output", "picture, .png or .jpg; movie of a scene, .ogv", request.output.file,
-                     { ".png", ".jpg", ".ogv" }),
+  spec.options = { pictureOption(request.output.file),
     outputFile("--export", "the scene for others to draw, .gltf; or a page that plays its waves, .html",
       request.output.scene, { ".gltf", ".html" }),
     size,

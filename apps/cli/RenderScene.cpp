@@ -3,6 +3,7 @@
 #include "Failure.h"
 #include "FieldValues.h"
 #include "OutputFile.h"
+#include "PictureSeries.h"
 #include "SceneExport.h"
 
 #include "apps/drawing/VirtualDisplay.h"
@@ -12,9 +13,7 @@
 #include <fmt/format.h>
 
 #include <vtkImageData.h>
-#include <vtkJPEGWriter.h>
 #include <vtkOggTheoraWriter.h>
-#include <vtkPNGWriter.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -63,28 +62,6 @@ scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
   }
   return scene::cameraByName(render.camera.value_or(scene::CameraName::Shore),
     { seafloor, request.seafloor.options.waterLevel, request.rays.wave.directionFrom, request.rays.wave.height });
-}
-
-void writePicture(vtkImageData* picture, const OutputFile& file)
-{
-  vtkSmartPointer<vtkImageWriter> writer;
-  if (fs::path(file.path()).extension() == ".jpg")
-  {
-    vtkNew<vtkJPEGWriter> jpeg;
-    jpeg->SetQuality(95);
-    writer = jpeg;
-  }
-  else
-  {
-    writer = vtkSmartPointer<vtkPNGWriter>::New();
-  }
-  writer->SetInputData(picture);
-  writer->SetFileName(file.temporary().c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != 0)
-  {
-    file.fail("the picture could not be stored");
-  }
 }
 
 class Movie
@@ -147,6 +124,42 @@ scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
   return content;
 }
 
+// Pictures of the very same call that are there are kept.
+void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneContent& content, Console& console)
+{
+  const std::string& name = request.output.file;
+  const fs::path folder = fs::path(name).parent_path();
+  std::error_code error;
+  if (!folder.empty() && !fs::create_directories(folder, error) && error)
+  {
+    throw WorkError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
+  }
+  const drawing::VirtualDisplay display;
+  scene::ScenePicture picture(content);
+  const TimeSeries& times = *request.render.times;
+  const std::size_t count = times.count();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const PictureOrigin origin{ request.commandLine, times.at(i) };
+    const std::string path = numberedName(name, i);
+    if (isPictureOf(path, origin))
+    {
+      ++kept;
+    }
+    else
+    {
+      OutputFile file(path, inputFiles(request));
+      writePicture(picture.draw(pipeline.makeSurface(origin.time), origin.time), origin, file);
+      file.commit();
+    }
+    console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
+  }
+  console.endProgress();
+  console.say(fmt::format("wrote {} to {}, {} made and {} kept, {} x {} pixels", numberedName(name, 0),
+    numberedName(name, count - 1), count - kept, kept, content.width, content.height));
+}
+
 void drawScene(
   const Request& request, Pipeline& pipeline, const scene::SceneContent& content, Console& console, OutputFile& file)
 {
@@ -156,7 +169,7 @@ void drawScene(
   if (!render.times)
   {
     const double time = render.time.value_or(0.0);
-    writePicture(picture.draw(pipeline.makeSurface(time), time), file);
+    writePicture(picture.draw(pipeline.makeSurface(time), time), { request.commandLine, time }, file);
     file.commit();
     console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), content.width, content.height));
     return;
@@ -183,7 +196,8 @@ void renderScene(const Request& request, const std::string& title, Console& cons
   const std::vector<std::string> inputs = inputFiles(request);
   std::optional<OutputFile> file;
   std::optional<OutputFile> sceneFile;
-  if (!request.output.file.empty())
+  const bool series = isNumbered(request.output.file);
+  if (!request.output.file.empty() && !series)
   {
     file.emplace(request.output.file, inputs);
   }
@@ -206,6 +220,10 @@ void renderScene(const Request& request, const std::string& title, Console& cons
   if (file)
   {
     drawScene(request, pipeline, content, console, *file);
+  }
+  if (series)
+  {
+    drawSeries(request, pipeline, content, console);
   }
   if (sceneFile)
   {
