@@ -29,10 +29,12 @@ struct ChartContent
   vtkPolyData* contours = nullptr;  ///< cell array Depth
   vtkPolyData* rays = nullptr;
   vtkPolyData* crests = nullptr; ///< cell array CrestNumber
+  vtkImageData* map = nullptr;   ///< whose array mapBy is drawn on the water in place of its depth
+  std::string mapBy;
   std::vector<Obstacle> obstacles;
   double waterLevel = 0.0;                              ///< m
   std::string colorBy;                                  ///< point array of the rays; empty: one colour
-  const drawing::ColorMap* colors = &drawing::rayMap(); ///< of that array
+  const drawing::ColorMap* colors = &drawing::rayMap(); ///< of that array and of the map
   ChartFrame frame = ChartFrame::Auto;
   std::string title;
 };

@@ -64,8 +64,19 @@ void ChartItem::setContent(const ChartContent& content, const ChartLayout& layou
   this->Bed.shore = ShoreInk;
   this->Bed.shoreWidth = std::max(1, static_cast<int>(std::lround(0.05 * layout.unit)));
   this->Graticule = graticuleOf(content);
+  WaterField field;
+  if (content.map)
+  {
+    this->MapColors = chooseMapColors(content);
+    field = { content.map, content.mapBy, this->MapColors.range, content.colors };
+  }
   this->Background = seafloorPicture(
-    content.seafloor, this->Bed, static_cast<int>(layout.map.width), static_cast<int>(layout.map.height));
+    content.seafloor, this->Bed, field, static_cast<int>(layout.map.width), static_cast<int>(layout.map.height));
+}
+
+vtkDataObject* ChartItem::waves() const
+{
+  return this->Content.rays ? static_cast<vtkDataObject*>(this->Content.rays) : this->Content.map;
 }
 
 bool ChartItem::Paint(vtkContext2D* painter)
@@ -86,13 +97,22 @@ bool ChartItem::Paint(vtkContext2D* painter)
   const double height = std::min(rayScale ? 0.5 * (room - 1.2 * u) : room, 18.0 * u);
   const double spare = room - (rayScale ? 2.0 : 1.0) * height;
   double y = top - (rayScale ? 0.25 : 0.5) * spare;
+  const auto paintScale = [&](const RayColors& colors, const std::string& what)
+  {
+    const std::string unit = colors.unit.empty() ? "" : " (" + colors.unit + ")";
+    this->paintColorScale(
+      painter, y, height, what + colors.name + unit, colors.range,
+      [this](double t) { return this->Content.colors->rgb(t); }, false, colors.above, colors.below);
+  };
   if (rayScale)
   {
-    const std::string unit = this->Colors.unit.empty() ? "" : " (" + this->Colors.unit + ")";
-    this->paintColorScale(
-      painter, y, height, this->Colors.name + unit, this->Colors.range,
-      [this](double t) { return this->Content.colors->rgb(t); }, false, this->Colors.above, this->Colors.below);
+    paintScale(this->Colors, this->Content.map ? "Rays: " : "");
     y -= height + 0.5 * spare;
+  }
+  if (this->Content.map)
+  {
+    paintScale(this->MapColors, "");
+    return true;
   }
   this->paintColorScale(
     painter, y, height, "Water depth (m)", { 0.0, this->Bed.deepest }, [](double t) { return waterMap().rgb(t); }, true,
@@ -250,14 +270,14 @@ void ChartItem::paintHeading(vtkContext2D* painter)
   this->text(painter, left, top - 1.9 * u, this->Content.title, 1.55 * u, Align::Left, room, true);
 
   std::vector<std::string> parts;
-  if (this->Content.rays)
+  if (vtkDataObject* waves = this->waves())
   {
-    const auto period = fieldNumber(this->Content.rays, "Period");
-    const auto direction = fieldNumber(this->Content.rays, "DirectionFrom");
-    const auto height = fieldNumber(this->Content.rays, "WaveHeight");
+    const auto period = fieldNumber(waves, "Period");
+    const auto direction = fieldNumber(waves, "DirectionFrom");
+    const auto height = fieldNumber(waves, "WaveHeight");
     if (period && direction && height)
     {
-      const auto depth = fieldNumber(this->Content.rays, "OffshoreDepth");
+      const auto depth = fieldNumber(waves, "OffshoreDepth");
       parts.push_back(fmt::format("waves of {} s, {} m high, from {}\u00b0 ({}){}", shortNumber(*period),
         shortNumber(*height), shortNumber(0.01 * std::round(100.0 * *direction)), compassPoint(*direction),
         depth && std::isfinite(*depth) ? fmt::format(" in {} m of water", shortNumber(*depth)) : " in deep water"));

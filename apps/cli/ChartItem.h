@@ -13,6 +13,7 @@
 #include <functional>
 
 class vtkContext2D;
+class vtkDataObject;
 
 namespace swellray::cli
 {
@@ -48,6 +49,7 @@ private:
     Waves,
   };
 
+  vtkDataObject* waves() const; // what tells of the incident wave; null: nothing does
   void paintMap(vtkContext2D* painter);
   void paintLine(vtkContext2D* painter, const PixelLine& line);
   void paintGraticule(vtkContext2D* painter);
@@ -71,6 +73,7 @@ private:
   ChartContent Content;
   ChartLayout Layout;
   RayColors Colors;
+  RayColors MapColors; // where there is a map
   ChartLines Lines;
   SeafloorColors Bed;
   DepthRange Depths;

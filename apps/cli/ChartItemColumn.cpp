@@ -94,8 +94,7 @@ double ChartItem::paintArrows(vtkContext2D* painter, double top)
   const double convergence = georeference.convergence({ 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) });
   const bool known = std::isfinite(convergence) && georeference.kind() != GeoreferenceKind::Local;
   const bool two = known && std::abs(convergence) >= LeastConvergence;
-  const auto direction =
-    this->Content.rays ? fieldNumber(this->Content.rays, "DirectionFrom") : std::optional<double>();
+  const auto direction = this->waves() ? fieldNumber(this->waves(), "DirectionFrom") : std::optional<double>();
   const double first = two ? 2.0 : 2.6;
   const double last = two ? 10.6 : 9.0;
   this->paintArrow(
@@ -284,6 +283,10 @@ double ChartItem::paintLegend(vtkContext2D* painter, double bottom)
   {
     const Rgb color = lineColor(LineKind::Obstacle);
     entries.push_back({ "obstacle", sample(LineKind::Obstacle, [color](double) { return color; }) });
+  }
+  if (this->MapColors.gaps)
+  {
+    entries.push_back({ "no waves", patch(noValueColor()) });
   }
   if (this->Depths.highest > 0.0)
   {

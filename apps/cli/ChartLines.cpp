@@ -41,7 +41,7 @@ constexpr double LeastContour = 1.0;
 constexpr double PointGap = 0.7;
 
 const Rgb ContourColor{ 0.16, 0.27, 0.38 };
-const Rgb PlainRayColor{ 0.74, 0.16, 0.12 };
+const Rgb RayOverMapColor{ 0.10, 0.12, 0.20 };
 const Rgb AgroundColor{ 0.36, 0.27, 0.20 };
 const Rgb CrestColor{ 1.0, 1.0, 1.0 };
 const Rgb ObstacleColor{ 0.45, 0.05, 0.12 };
@@ -378,7 +378,7 @@ private:
       return this->Map.rgb(this->Colors.range.share(value));
     }
     default:
-      return aground ? AgroundColor : PlainRayColor;
+      return aground ? AgroundColor : this->Colors.plain;
     }
   }
 
@@ -410,64 +410,104 @@ Rgb stateColor(int state)
   }
 }
 
-RayColors chooseRayColors(const ChartContent& content)
+namespace
+{
+
+vtkDataArray* arrayToColorBy(vtkPointData* data, const std::string& name, const char* what)
+{
+  vtkDataArray* values = data->GetArray(name.c_str());
+  if (values && values->GetNumberOfComponents() == 1)
+  {
+    return values;
+  }
+  std::string known;
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    if (array && array->GetNumberOfComponents() == 1)
+    {
+      known += (known.empty() ? "" : ", ") + std::string(array->GetName());
+    }
+  }
+  throw WorkError(
+    fmt::format("the {} {} no array '{}' to colour {} by; {} {}", what, std::string(what) == "map" ? "has" : "have",
+      name, std::string(what) == "map" ? "it" : "them", std::string(what) == "map" ? "it has" : "they have", known));
+}
+
+// A scale over these values of an array.
+RayColors scaleOf(const std::string& name, std::vector<double> values)
 {
   RayColors colors;
-  if (!content.rays || content.colorBy.empty() || content.rays->GetNumberOfPoints() == 0)
-  {
-    return colors;
-  }
-  vtkPointData* data = content.rays->GetPointData();
-  vtkDataArray* values = data->GetArray(content.colorBy.c_str());
-  if (!values || values->GetNumberOfComponents() != 1)
-  {
-    std::string known;
-    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = data->GetArray(i);
-      if (array && array->GetNumberOfComponents() == 1)
-      {
-        known += (known.empty() ? "" : ", ") + std::string(array->GetName());
-      }
-    }
-    throw WorkError(fmt::format("the rays have no array '{}' to colour them by; they have {}", content.colorBy, known));
-  }
-  if (content.colorBy == "RayState")
-  {
-    colors.kind = RayColors::Kind::States;
-    return colors;
-  }
   colors.kind = RayColors::Kind::Scale;
-  const auto known = Names.find(content.colorBy);
-  colors.name = known == Names.end() ? content.colorBy : known->second.first;
+  const auto known = Names.find(name);
+  colors.name = known == Names.end() ? name : known->second.first;
   colors.unit = known == Names.end() ? "" : known->second.second;
-
-  vtkDataArray* states = data->GetArray("RayState");
-  std::vector<double> sorted;
-  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
-  {
-    const double value = values->GetComponent(i, 0);
-    const bool aground = states && static_cast<int>(states->GetComponent(i, 0)) == static_cast<int>(RayState::Aground);
-    if (std::isfinite(value) && !aground)
-    {
-      sorted.push_back(value);
-    }
-  }
-  if (sorted.empty())
+  if (values.empty())
   {
     return colors;
   }
   // A few extreme points, at caustics and on the beach, must not take all of the scale.
   const auto percentile = [&](double share)
   {
-    const auto at = sorted.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
-    std::nth_element(sorted.begin(), at, sorted.end());
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
     return *at;
   };
   colors.range = roundRange(percentile(0.01), percentile(0.99));
-  const auto ends = std::minmax_element(sorted.begin(), sorted.end());
+  const auto ends = std::minmax_element(values.begin(), values.end());
   colors.below = *ends.first < colors.range.low;
   colors.above = *ends.second > colors.range.high;
+  return colors;
+}
+
+}
+
+RayColors chooseRayColors(const ChartContent& content)
+{
+  RayColors colors;
+  if (content.map)
+  {
+    colors.plain = RayOverMapColor; // against every colour of a scale
+  }
+  if (!content.rays || content.colorBy.empty() || content.rays->GetNumberOfPoints() == 0)
+  {
+    return colors;
+  }
+  vtkPointData* data = content.rays->GetPointData();
+  vtkDataArray* values = arrayToColorBy(data, content.colorBy, "rays");
+  if (content.colorBy == "RayState")
+  {
+    colors.kind = RayColors::Kind::States;
+    return colors;
+  }
+  vtkDataArray* states = data->GetArray("RayState");
+  std::vector<double> shown;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    const double value = values->GetComponent(i, 0);
+    const bool aground = states && static_cast<int>(states->GetComponent(i, 0)) == static_cast<int>(RayState::Aground);
+    if (std::isfinite(value) && !aground)
+    {
+      shown.push_back(value);
+    }
+  }
+  return scaleOf(content.colorBy, std::move(shown));
+}
+
+RayColors chooseMapColors(const ChartContent& content)
+{
+  vtkDataArray* values = arrayToColorBy(content.map->GetPointData(), content.mapBy, "map");
+  std::vector<double> shown;
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    if (std::isfinite(values->GetComponent(i, 0)))
+    {
+      shown.push_back(values->GetComponent(i, 0));
+    }
+  }
+  const bool everywhere = static_cast<vtkIdType>(shown.size()) == values->GetNumberOfTuples();
+  RayColors colors = scaleOf(content.mapBy, std::move(shown));
+  colors.gaps = !everywhere;
   return colors;
 }
 

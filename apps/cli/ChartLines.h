@@ -49,11 +49,13 @@ struct RayColors
     States,
   };
   Kind kind = Kind::Plain;
+  drawing::Rgb plain{ 0.74, 0.16, 0.12 }; ///< of rays without a scale
   drawing::Range range;
   std::string name; ///< of the quantity
   std::string unit;
   bool above = false; ///< there are values above the range
   bool below = false;
+  bool gaps = false; ///< of a map: it has nodes without a value
 };
 
 /** Lines of a chart, ready to draw. */
@@ -74,6 +76,9 @@ drawing::Rgb stateColor(int state);
 
 /** How the content asks to colour its rays. @throws WorkError where the rays have no such array */
 RayColors chooseRayColors(const ChartContent& content);
+
+/** The scale of the map's array. @throws WorkError where the map lacks it */
+RayColors chooseMapColors(const ChartContent& content);
 
 /** Turn the content's lines into pixels of the layout. */
 ChartLines makeChartLines(const ChartContent& content, const ChartLayout& layout, const RayColors& colors);

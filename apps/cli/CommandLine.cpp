@@ -3,7 +3,8 @@
 
 #include "Failure.h"
 #include "OptionGroups.h"
-#include "Options.h"
+#include "OptionKinds.h"
+#include "OptionTable.h"
 #include "ShellWords.h"
 #include "Sweep.h"
 #include "Values.h"
@@ -107,7 +108,7 @@ private:
 
 Parser::Parser(const std::vector<std::string>& words)
   : Words(words)
-  , App("Wave refraction over real seafloors: rays, heights and crests as VTK data and pictures.", "swellray")
+  , App(ProgramHelp, "swellray")
 {
   this->App.get_formatter()->column_width(HelpColumn);
   this->App.set_help_flag("-h,--help", "show this help");
@@ -116,28 +117,24 @@ Parser::Parser(const std::vector<std::string>& words)
   this->App.require_subcommand(0, 1);
   this->App.allow_extras();
   this->App.footer(
-    "\n'swellray COMMAND --help' shows the options of a command and examples.\n"
-    "SEAFLOOR is a file (raster, mesh, grid of a wave model, .vti) or a built-in form; see 'swellray list'.\n\n"
-    "Examples:\n"
-    "  swellray info harbour.tif\n"
-    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp\n"
-    "  swellray render harbour.tif --rays rays.vtp -o picture.png\n\n"
-    "Exit codes: 0 done, 1 the work failed, 2 the call is wrong.");
+    std::string("\n'swellray COMMAND --help' shows the options of a command and examples.\n"
+                "SEAFLOOR is a file (raster, mesh, grid of a wave model, .vti) or a built-in form; see 'swellray "
+                "list'.\n\n"
+                "Examples:\n"
+                "  swellray info harbour.tif\n"
+                "  swellray trace harbour.tif --period 14 --direction 135 --height 2 -o rays.vtp\n"
+                "  swellray render harbour.tif --rays rays.vtp -o picture.png\n\n"
+                "Exit codes: ") +
+    ExitCodes);
 
-  OptionSpec config{ "--config", "FILE.toml", "read options from this file", "", "General", false, {} };
-  config.set = [this](const std::string& text) { this->ConfigFile = text; };
-  std::vector<OptionSpec> common{ config };
-  for (OptionSpec& spec : commonOptions(this->Result))
-  {
-    common.push_back(spec);
-  }
+  std::vector<OptionSpec> common{ configurationOption(this->ConfigFile) };
+  add(common, commonOptions(this->Result));
   for (const OptionSpec& spec : common)
   {
     this->Common.push_back(registerOption(this->App, spec));
   }
-  for (CommandSpec& spec : commandSpecs(this->Result))
+  for (const CommandSpec& spec : completeSpecs(this->Result, this->ConfigFile))
   {
-    spec.options.insert(spec.options.end(), common.begin(), common.end());
     this->addCommand(spec);
   }
 }
@@ -153,15 +150,14 @@ void Parser::addCommand(const CommandSpec& spec)
   if (spec.takesSeafloor)
   {
     command.seafloor = command.app->add_option(
-      "seafloor", [](const CLI::results_t&) { return true; },
-      "a raster, a mesh, a model's .swn, params.txt, .sim or .grd, or a built-in form NAME:key=value,... (see "
-      "'swellray list')");
+      "seafloor", [](const CLI::results_t&) { return true; }, SeafloorHelp);
     command.seafloor->type_name("")->expected(1);
   }
   if (spec.file.target)
   {
+    const std::string help = spec.file.help + (spec.file.standard.empty() ? "" : " [" + spec.file.standard + "]");
     command.file = command.app->add_option(
-      "file", [](const CLI::results_t&) { return true; }, spec.file.help);
+      CLI::detail::to_lower(spec.file.name), [](const CLI::results_t&) { return true; }, help);
     command.file->type_name("")->expected(1);
   }
   for (const OptionSpec& option : spec.options)
@@ -483,11 +479,11 @@ std::optional<Call> Parser::read()
   if (this->Chosen->file)
   {
     const FileSpec& file = this->Chosen->spec.file;
-    if (this->Chosen->file->count() == 0)
+    if (this->Chosen->file->count() == 0 && file.standard.empty())
     {
       throw UsageError(fmt::format("{} needs a {}: {}", this->Chosen->spec.name, file.name, file.help));
     }
-    *file.target = this->Chosen->file->results().front();
+    *file.target = this->Chosen->file->count() == 0 ? file.standard : this->Chosen->file->results().front();
   }
   if (!this->ConfigFile.empty())
   {

@@ -20,6 +20,7 @@ CommandSpec viewSpec(Request& request);
 CommandSpec validateSpec(Request& request);
 CommandSpec againSpec(Request& request);
 CommandSpec listSpec();
-CommandSpec completionSpec();
+CommandSpec completionSpec(Request& request);
+CommandSpec manualSpec(Request& request);
 
 }

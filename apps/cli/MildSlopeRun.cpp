@@ -125,7 +125,6 @@ std::vector<OptionSpec> mildSlopeOptions(MildSlopeRequest& mildSlope)
     flag("--side-walls", "walls on the two sides along which the wave runs", group, mildSlope.sideWalls),
     number("--max-memory", "GB", "memory that the solution may take", "four fifths of the machine's", group,
       mildSlope.memory, PositiveNumber),
-    flag("--dry-run", "only say what the solution will take", group, mildSlope.planOnly),
   };
 }
 
@@ -135,11 +134,11 @@ void checkMildSlope(const Request& request)
   if (!asked.wanted)
   {
     const bool given = asked.nodeSpacing || asked.minDepth || asked.memory || asked.coastReflection ||
-      asked.sideWalls || asked.planOnly || asked.dispersion != WaveDispersion::Linear;
+      asked.sideWalls || asked.dispersion != WaveDispersion::Linear;
     if (given)
     {
-      throw UsageError("--dispersion nonlinear, --node-spacing, --min-depth, --coast-reflection, --side-walls, "
-                       "--max-memory and --dry-run belong to --method mild-slope");
+      throw UsageError("--dispersion nonlinear, --node-spacing, --min-depth, --coast-reflection, --side-walls "
+                       "and --max-memory belong to --method mild-slope");
     }
     return;
   }
@@ -175,7 +174,7 @@ void runMildSlope(const Request& request, Console& console)
   std::optional<OutputFile> mapFile;
   std::optional<OutputFile> tableFile;
   std::optional<StationTable> stations;
-  if (!request.mildSlope.planOnly)
+  if (!request.planOnly)
   {
     if (!request.output.map.empty())
     {
@@ -196,7 +195,7 @@ void runMildSlope(const Request& request, Console& console)
   filter->PlanOnlyOn();
   runFilter(filter, "planning", console);
   sayPlan(filter->GetOutputDataObject(0), console);
-  if (request.mildSlope.planOnly)
+  if (request.planOnly)
   {
     return;
   }

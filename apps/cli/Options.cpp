@@ -20,7 +20,8 @@ std::vector<CommandSpec> commandSpecs(Request& request)
     validateSpec(request),
     againSpec(request),
     listSpec(),
-    completionSpec(),
+    completionSpec(request),
+    manualSpec(request),
   };
 }
 

@@ -27,12 +27,13 @@ struct OptionSpec
   std::string longName() const;
 };
 
-/** The file that a command takes in place of a seafloor. */
+/** The word that a command takes in place of a seafloor: a file in most. */
 struct FileSpec
 {
   std::string name; ///< what stands for it in the help; empty: the command takes none
   std::string help;
   std::string* target = nullptr;
+  std::string standard{}; ///< what it is where none is given; empty: one must be given
 };
 
 /** One command: what it does, what it takes, and examples of it. */

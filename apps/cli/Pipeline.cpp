@@ -423,7 +423,7 @@ std::vector<std::string> inputFiles(const Request& request)
 {
   std::vector<std::string> files;
   for (const std::string& file : { request.seafloor.source, request.rays.current, request.rays.obstacles,
-         request.start.launch, request.render.rays, request.render.crests, request.map.stations,
+         request.start.launch, request.render.map, request.render.rays, request.render.crests, request.map.stations,
          request.map.waterLevels, request.spectrum.boundary, request.spectrum.series, request.surface.at })
   {
     std::error_code none;
@@ -509,9 +509,14 @@ vtkSmartPointer<vtkDataSet> readFrame(const std::string& path, Console& console)
 {
   if (std::filesystem::path(path).extension() == ".vti")
   {
-    return readFile<vtkXMLImageDataReader>(path, ".vti", console);
+    return readImage(path, console);
   }
   return readLines(path, console);
+}
+
+vtkSmartPointer<vtkImageData> readImage(const std::string& path, Console& console)
+{
+  return readFile<vtkXMLImageDataReader>(path, ".vti", console);
 }
 
 }

@@ -124,4 +124,7 @@ vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console
 /** Read a frame of a series, .vtp or .vti. @throws WorkError */
 vtkSmartPointer<vtkDataSet> readFrame(const std::string& path, Console& console);
 
+/** Read a .vti file. @throws WorkError */
+vtkSmartPointer<vtkImageData> readImage(const std::string& path, Console& console);
+
 }

@@ -17,6 +17,7 @@
 #include <fmt/format.h>
 
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -99,9 +100,9 @@ void checkScene(const Request& request)
   {
     throw UsageError("--style scene needs waves: give --period, --direction and --height");
   }
-  if (!render.rays.empty() || !render.crests.empty())
+  if (!render.rays.empty() || !render.crests.empty() || !render.map.empty())
   {
-    throw UsageError("--style scene traces its own rays; leave out --rays and --crests");
+    throw UsageError("--style scene traces its own rays; leave out --rays, --crests and --map");
   }
   if (render.time && render.times)
   {
@@ -210,6 +211,10 @@ void checkRender(Request& request)
   {
     throw UsageError("--rays draws rays from a file, --period traces new ones; leave out one of the two");
   }
+  if (!render.mapBy.empty() && render.map.empty())
+  {
+    throw UsageError("--map-by needs --map FILE");
+  }
   if (!request.rays.wanted && render.rays.empty() && render.crests == CrestsFromRays)
   {
     throw UsageError("--crests auto needs rays: give --rays FILE, or --period, --direction and --height");
@@ -233,7 +238,24 @@ void runRender(const Request& request, Console& console)
   content.title = titleOf(request);
   content.colors = drawing::quantityMaps()[request.render.colorMap].second;
   content.frame = request.render.frame;
-  content.colorBy = request.render.colorBy == "none" ? "" : request.render.colorBy;
+
+  vtkSmartPointer<vtkImageData> map;
+  if (!request.render.map.empty())
+  {
+    map = readImage(request.render.map, console);
+    checkSamePlace(map, seafloor, request.render.map);
+    content.map = map;
+    content.mapBy = request.render.mapBy;
+    if (content.mapBy.empty())
+    {
+      content.mapBy = map->GetPointData()->HasArray("SignificantWaveHeight") ? "SignificantWaveHeight" : "WaveHeight";
+    }
+  }
+  content.colorBy = request.render.colorBy.empty() && !map ? "WaveHeight" : request.render.colorBy;
+  if (content.colorBy == "none")
+  {
+    content.colorBy.clear();
+  }
 
   vtkSmartPointer<vtkPolyData> rays;
   if (request.rays.wanted)
@@ -299,10 +321,16 @@ CommandSpec renderSpec(Request& request)
     choice("--style", "a chart, or the water in three dimensions", "chart", "Picture", render.scene,
       std::vector<std::pair<std::string, bool>>{ { "chart", false }, { "scene", true } }),
     text("--rays", "FILE", "rays that 'swellray trace' wrote, .vtp", "", "Picture", render.rays),
+    text("--map", "FILE",
+      "map that 'swellray trace' or 'swellray spectrum' wrote, .vti, on the water in place of depths", "", "Picture",
+      render.map),
+    text("--map-by", "ARRAY", "its array", "the wave height", "Picture", render.mapBy),
     text("--crests", "FILE|auto", "crest lines from a file, or made from the rays", "", "Picture", render.crests),
-    text("--color-by", "ARRAY", "colour the rays by this array, or 'none'", "WaveHeight", "Picture", render.colorBy),
-    choice("--color-map", "scale of colours of the rays; all are even to the eye and safe for colour-blind ones",
-      "warm", "Picture", render.colorMap, colorMaps),
+    text("--color-by", "ARRAY", "colour the rays by this array, or 'none'", "WaveHeight; over a map none", "Picture",
+      render.colorBy),
+    choice("--color-map",
+      "scale of colours of the rays and the map; all are even to the eye and safe for colour-blind ones", "warm",
+      "Picture", render.colorMap, colorMaps),
     choice("--frame", "what the frame counts: metres, or longitude and latitude", "auto: as the grid does", "Picture",
       render.frame,
       std::vector<std::pair<std::string, ChartFrame>>{
@@ -317,6 +345,7 @@ CommandSpec renderSpec(Request& request)
   add(spec.options, seafloorOptions(request.seafloor.options));
   spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"
                   "  swellray render harbour.tif --period 14 --direction 135 --height 2 -o picture.png\n"
+                  "  swellray render harbour.tif --map heights.vti --map-by WaveHeight --rays rays.vtp -o heights.png\n"
                   "  swellray render harbour.tif --obstacles breakwater.geojson -o harbour.png\n"
                   "  swellray render harbour.tif --interval 5 --size 2400x1800 -o chart.png\n"
                   "  swellray render harbour.tif --style scene --period 9 --direction 285 --height 1.5 -o shore.png\n"

@@ -78,7 +78,6 @@ struct MildSlopeRequest
   std::optional<double> coastReflection;
   bool sideWalls = false;
   WaveDispersion dispersion = WaveDispersion::Linear;
-  bool planOnly = false; ///< only say what it will take
 };
 
 /** Where waves are asked for: on a map, and at stations. */
@@ -147,7 +146,9 @@ struct RenderRequest
 {
   std::string rays;   ///< file to draw; empty: none
   std::string crests; ///< file to draw, or CrestsFromRays; empty: none
-  std::string colorBy = "WaveHeight";
+  std::string map;     ///< file whose field is drawn in place of the depths; empty: none
+  std::string mapBy;   ///< its array; empty: the wave height
+  std::string colorBy; ///< of the rays; empty: the wave height, or none over a map
   std::size_t colorMap = 0; ///< of drawing::quantityMaps()
   ChartFrame frame = ChartFrame::Auto;
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
@@ -209,6 +210,14 @@ struct AgainRequest
   std::string file;
   std::string folder; ///< for the outputs; empty: where they were
   bool show = false;  ///< only print how it was made
+};
+
+/** What the program writes about itself. */
+struct ManualRequest
+{
+  std::string shell;  ///< whose completion
+  std::string folder; ///< for the pages
+  bool markdown = false;
 };
 
 /** How the directions of a sea surface spread. */
@@ -277,8 +286,10 @@ struct Request
   SurfaceRequest surface;
   ValidateRequest validate;
   AgainRequest again;
+  ManualRequest manual;
   OutputRequest output;
   bool json = false;
+  bool planOnly = false; ///< only say what the work will take
   bool quiet = false;
   int threads = 0;         ///< 0: as many as the machine has
   std::string commandLine; ///< as typed, for the files

@@ -24,6 +24,8 @@ namespace
 constexpr double LandShading = 0.45;
 constexpr double WaterShading = 0.16;
 
+const Lab NoValue{ 92.0, 0.0, 0.0 };
+
 // Flat land is often stored as elevation 0, and comes out of a spline as a hair's breadth of water.
 constexpr double LeastDepth = 0.02; // m
 
@@ -131,6 +133,66 @@ double brightness(double slopeX, double slopeY, double rmsSlope)
   return std::max(0.0, light) / std::sqrt(0.5);
 }
 
+// The field on the water at a place of the scene, m; NaN where it has no value.
+class FieldAt
+{
+public:
+  explicit FieldAt(const WaterField& field)
+    : Field(field)
+  {
+    if (field.map)
+    {
+      this->Values = field.map->GetPointData()->GetArray(field.array.c_str());
+      field.map->GetDimensions(this->Dimensions);
+    }
+  }
+
+  bool wanted() const { return this->Values != nullptr; }
+
+  double operator()(double x, double y) const
+  {
+    const double* origin = this->Field.map->GetOrigin();
+    const double* spacing = this->Field.map->GetSpacing();
+    const double column = (x - origin[0]) / spacing[0];
+    const double row = (y - origin[1]) / spacing[1];
+    constexpr double rounding = 1e-6;
+    if (!(column > -rounding && row > -rounding && column < this->Dimensions[0] - 1 + rounding &&
+          row < this->Dimensions[1] - 1 + rounding))
+    {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+    const int i = std::clamp(static_cast<int>(column), 0, std::max(0, this->Dimensions[0] - 2));
+    const int j = std::clamp(static_cast<int>(row), 0, std::max(0, this->Dimensions[1] - 2));
+    double sum = 0.0;
+    double weights = 0.0;
+    for (int corner = 0; corner < 4; ++corner)
+    {
+      const int a = std::min(i + corner % 2, this->Dimensions[0] - 1);
+      const int b = std::min(j + corner / 2, this->Dimensions[1] - 1);
+      const double value = this->Values->GetComponent(static_cast<vtkIdType>(b) * this->Dimensions[0] + a, 0);
+      const double weight = std::max(0.0, 1.0 - std::abs(column - a)) * std::max(0.0, 1.0 - std::abs(row - b));
+      if (std::isfinite(value))
+      {
+        sum += weight * value;
+        weights += weight;
+      }
+    }
+    // Up to half a cell beyond the nodes with values.
+    return weights >= 0.5 ? sum / weights : std::numeric_limits<double>::quiet_NaN();
+  }
+
+  Lab color(double x, double y) const
+  {
+    const double value = (*this)(x, y);
+    return std::isfinite(value) ? this->Field.colors->lab(this->Field.range.share(value)) : NoValue;
+  }
+
+private:
+  const WaterField& Field;
+  vtkDataArray* Values = nullptr;
+  int Dimensions[3] = { 0, 0, 0 };
+};
+
 struct Pixel
 {
   Surface surface = NoData;
@@ -213,6 +275,11 @@ void drawShore(unsigned char* pixels, const std::vector<unsigned char>& surfaces
 
 }
 
+Rgb noValueColor()
+{
+  return toRgb(NoValue);
+}
+
 Rgb noDataColor()
 {
   return toRgb({ 78, 0, 0 });
@@ -235,8 +302,11 @@ DepthRange depthRange(vtkImageData* seafloor, double waterLevel)
 }
 
 vtkSmartPointer<vtkImageData> seafloorPicture(
-  vtkImageData* seafloor, const SeafloorColors& colors, int columns, int rows)
+  vtkImageData* seafloor, const SeafloorColors& colors, const WaterField& field, int columns, int rows)
 {
+  const FieldAt fieldAt(field);
+  double bounds[6];
+  seafloor->GetBounds(bounds);
   const Relief relief = makeRelief(seafloor, colors.waterLevel);
   auto picture = vtkSmartPointer<vtkImageData>::New();
   picture->SetDimensions(columns, rows, 1);
@@ -252,7 +322,12 @@ vtkSmartPointer<vtkImageData> seafloorPicture(
         for (int column = 0; column < columns; ++column)
         {
           const double x = (column + 0.5) / columns * (relief.columns - 1);
-          const Pixel pixel = pixelAt(relief, colors, x, y);
+          Pixel pixel = pixelAt(relief, colors, x, y);
+          if (fieldAt.wanted() && pixel.surface == Water)
+          {
+            pixel.color = toRgb(fieldAt.color(bounds[0] + (column + 0.5) / columns * (bounds[1] - bounds[0]),
+              bounds[2] + (static_cast<double>(row) + 0.5) / rows * (bounds[3] - bounds[2])));
+          }
           const vtkIdType at = row * columns + column;
           surfaces[static_cast<std::size_t>(at)] = pixel.surface;
           setPixel(pixels + 3 * at, pixel.color);

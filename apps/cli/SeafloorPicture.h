@@ -1,8 +1,11 @@
 #pragma once
 
 #include "apps/drawing/ColorMap.h"
+#include "apps/drawing/Scale.h"
 
 #include <vtkSmartPointer.h>
+
+#include <string>
 
 class vtkImageData;
 
@@ -19,6 +22,18 @@ struct SeafloorColors
   int shoreWidth = 2;      ///< pixels
 };
 
+/** A quantity on the water, drawn in place of its depth. */
+struct WaterField
+{
+  vtkImageData* map = nullptr; ///< in the plane of the seafloor; null: the depth is drawn
+  std::string array;           ///< of its points
+  drawing::Range range;
+  const drawing::ColorMap* colors = nullptr;
+};
+
+/** Colour of water where the field has no value. */
+drawing::Rgb noValueColor();
+
 /** Colour of the places without data. */
 drawing::Rgb noDataColor();
 
@@ -33,11 +48,11 @@ DepthRange depthRange(vtkImageData* seafloor, double waterLevel);
 
 /**
  * Picture of a seafloor, columns x rows pixels over its whole extent: water and land by colour, shaded by a
- * light from the north-west, grey where there are no data.
+ * light from the north-west, grey where there are no data. A field on the water is not shaded: its colours are its values.
  * @param seafloor point array Elevation, m
  * @return unsigned char, 3 components, south row first
  */
 vtkSmartPointer<vtkImageData> seafloorPicture(
-  vtkImageData* seafloor, const SeafloorColors& colors, int columns, int rows);
+  vtkImageData* seafloor, const SeafloorColors& colors, const WaterField& field, int columns, int rows);
 
 }

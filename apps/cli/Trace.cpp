@@ -198,6 +198,10 @@ void checkTrace(Request& request)
   checkMildSlope(request);
   checkEarth(request);
   checkStart(request);
+  if (request.planOnly && !request.mildSlope.wanted)
+  {
+    throw UsageError("--dry-run belongs to --method mild-slope");
+  }
   const OutputRequest& output = request.output;
   checkOutputs(output);
   if (output.table.empty() != request.map.stations.empty())
@@ -205,7 +209,7 @@ void checkTrace(Request& request)
     throw UsageError("--stations and --table belong together; give both");
   }
   if (output.file.empty() && output.crests.empty() && output.breakerLine.empty() && output.map.empty() &&
-    output.table.empty() && !request.mildSlope.planOnly)
+    output.table.empty() && !request.planOnly)
   {
     throw UsageError("trace has nothing to write: give -o FILE.vtp, --crests FILE.vtp, --breaker-line FILE.vtp, --map "
                      "FILE or --table FILE.csv");
@@ -343,7 +347,8 @@ CommandSpec traceSpec(Request& request)
     text("--stations", "FILE", "points x,y or lon,lat a line, .csv", "", "Output", request.map.stations),
     outputFile("--table", "waves at the stations, .csv", request.output.table, { ".csv" }),
     text("--water-levels", "FILE", "series time,level (.csv): a row of the table a station and time", "", "Output",
-      request.map.waterLevels) };
+      request.map.waterLevels),
+    flag("--dry-run", "only say what the work will take", "Output", request.planOnly) };
   add(spec.options, lineOptions(request.output));
   add(spec.options, waveOptions(request.rays, true));
   add(spec.options, startOptions(request.start));

@@ -1,15 +1,19 @@
 #include "Program.h"
 
+#include "apps/drawing/ColorMap.h"
+
 #include <gtest/gtest.h>
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -67,6 +71,60 @@ TEST(Picture, ShowsTheRaysOverTheSeafloor)
   }
   EXPECT_GT(colors.size(), ManyColors);
   EXPECT_GT(warm, ManyWarm);
+}
+
+TEST(Picture, ShowsAMapInPlaceOfTheDepths)
+{
+  tolerateTheDriver();
+  if (!canDraw())
+  {
+    GTEST_SKIP() << "neither a display nor Xvfb to draw with";
+  }
+  const ScratchFolder folder("map");
+  const std::string map = folder / "plane.vti";
+  ASSERT_EQ(runSwellray("trace plane --period 8 --direction 90 --height 1 --map-spacing 20 --map " + map), 0);
+
+  // A row of pixels through the map; its depth rises from the shore in the west to 48 m in the east.
+  const auto row = [&](const std::string& options)
+  {
+    const std::string picture = folder / "plane.png";
+    EXPECT_EQ(runSwellray("render plane --size 640x480 --color-map cividis -o " + picture + options), 0);
+    vtkNew<vtkPNGReader> reader;
+    reader->SetFileName(picture.c_str());
+    reader->Update();
+    std::vector<double> places; // along the scale, of the pixels that have a colour of it
+    const auto& maps = swellray::drawing::quantityMaps();
+    for (int x = 60; x < 460; ++x)
+    {
+      const auto* pixel = static_cast<unsigned char*>(reader->GetOutput()->GetScalarPointer(x, 250, 0));
+      constexpr int Steps = 500;
+      for (int i = 0; i <= Steps; ++i)
+      {
+        const auto color = maps.back().second->rgb(double(i) / Steps);
+        // Rounded to bytes twice: the pixel and its mean.
+        constexpr double Rounded = 1.5 / 255.0;
+        if (std::abs(color[0] - pixel[0] / 255.0) < Rounded && std::abs(color[1] - pixel[1] / 255.0) < Rounded &&
+          std::abs(color[2] - pixel[2] / 255.0) < Rounded)
+        {
+          places.push_back(double(i) / Steps);
+          break;
+        }
+      }
+    }
+    return places;
+  };
+  ASSERT_EQ(swellray::drawing::quantityMaps().back().first, "cividis");
+  const std::vector<double> places = row(" --map " + map + " --map-by Depth");
+  constexpr std::size_t Most = 350; // of 400: contours and land are in between
+  ASSERT_GT(places.size(), Most);
+  constexpr double Step = 0.02; // colours of neighbouring steps round to the same bytes
+  for (std::size_t i = 1; i < places.size(); ++i)
+  {
+    EXPECT_GT(places[i], places[i - 1] - Step) << i;
+  }
+  EXPECT_LT(places.front(), 0.05);
+  EXPECT_GT(places.back(), 0.8);
+  EXPECT_LT(row("").size(), Most / 2);
 }
 
 TEST(Picture, ShowsTheWaterAndItsMovie)

@@ -28,6 +28,8 @@ field("${main}" Depends "libgdal.*libvtk9")
 field("${development}" Depends "swellray \\(= .*libglm-dev, libvtk9-dev")
 
 run("${SCRATCH}/root/usr/bin/swellray" info plane)
+include("${CMAKE_CURRENT_LIST_DIR}/WrittenFiles.cmake")
+require_written_files("${SCRATCH}/root/usr")
 if(NOT EXISTS "${SCRATCH}/root/usr/include/swellray/sim/Dispersion.h")
   message(FATAL_ERROR "swellray-dev has no headers")
 endif()
