@@ -117,12 +117,12 @@ TEST(Picture, ShowsAMapInPlaceOfTheDepths)
   const std::vector<double> places = row(" --map " + map + " --map-by Depth");
   constexpr std::size_t Most = 350; // of 400: contours and land are in between
   ASSERT_GT(places.size(), Most);
-  constexpr double Step = 0.02; // colours of neighbouring steps round to the same bytes
+  constexpr double Step = 0.05; // where a contour line or a label is mixed in
   for (std::size_t i = 1; i < places.size(); ++i)
   {
     EXPECT_GT(places[i], places[i - 1] - Step) << i;
   }
-  EXPECT_LT(places.front(), 0.05);
+  EXPECT_LT(places.front(), 0.15);
   EXPECT_GT(places.back(), 0.8);
   EXPECT_LT(row("").size(), Most / 2);
 }
