@@ -16,6 +16,8 @@
 #include <vtkStringArray.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -154,6 +156,64 @@ TEST_F(MildSlopeFilter, RefusesInOneLine)
   this->Waves->Update();
   ASSERT_EQ(this->Heard->Errors.size(), 2u);
   EXPECT_NE(this->Heard->Errors[1].find("within 0 to 1, not 2"), std::string::npos);
+}
+
+TEST(MildSlopeSites, heightsFallSmoothlyBehindTheBreakwaterOfHilo)
+{
+  const char* set = std::getenv("SWELLRAY_DATA");
+  const std::filesystem::path sites = std::filesystem::path(set ? set : SWELLRAY_DATA_DEFAULT) / "sites";
+  const std::string seafloor = sites / "hilo_bay_hawaii/hilo_bay_1_3s_epsg4326.tif";
+  const std::string land = sites / "_shorelines/hilo_land_polygons.geojson";
+  if (!std::filesystem::exists(seafloor) || !std::filesystem::exists(land))
+  {
+    GTEST_SKIP() << "no " << seafloor << " or " << land;
+  }
+  vtkNew<vtkSwellSeafloorReader> reader;
+  reader->SetFileName(seafloor.c_str());
+  reader->SetUseCrop(true);
+  reader->SetCrop(-155.0887, 19.7255, -155.045, 19.752);
+  // From the open water past the head of the breakwater into its shadow, 13 m a point: some 5 a wavelength.
+  vtkNew<vtkPolyData> line;
+  vtkNew<vtkPoints> points;
+  for (double x = -1750.0; x <= -650.0; x += 13.0)
+  {
+    points->InsertNextPoint(x, -604.0, 0.0);
+  }
+  line->SetPoints(points);
+  vtkNew<vtkSwellMildSlope> waves;
+  waves->SetInputConnection(0, reader->GetOutputPort());
+  waves->SetInputData(1, line);
+  waves->SetPeriod(14.0);
+  waves->SetDirectionFrom(20.0);
+  waves->SetWaveHeight(1.0);
+  waves->SetBreakingRule(0);
+  waves->SetMinimumDepth(3.0);
+  waves->SetObstacles(land.c_str());
+  waves->SetReflection(0.3);
+  waves->Update();
+  vtkDataArray* heights =
+    vtkDataSet::SafeDownCast(waves->GetOutputDataObject(1))->GetPointData()->GetArray("WaveHeight");
+  ASSERT_EQ(heights->GetNumberOfTuples(), points->GetNumberOfPoints());
+  const vtkIdType last = heights->GetNumberOfTuples() - 1;
+  EXPECT_GT(heights->GetComponent(0, 0), 0.9);
+  EXPECT_LT(heights->GetComponent(last, 0), 0.25);
+  for (vtkIdType i = 0; i <= last; ++i)
+  {
+    ASSERT_TRUE(std::isfinite(heights->GetComponent(i, 0))) << i;
+    // Rays alone step from 1 to nothing from one point to the next.
+    EXPECT_TRUE(i == 0 || std::abs(heights->GetComponent(i, 0) - heights->GetComponent(i - 1, 0)) < 0.15) << i;
+    // The mean over 15 points, some 200 m, only falls, but for ripples of reflected waves.
+    const auto mean = [&](vtkIdType begin)
+    {
+      double sum = 0.0;
+      for (vtkIdType j = begin; j < begin + 15; ++j)
+      {
+        sum += heights->GetComponent(j, 0) / 15.0;
+      }
+      return sum;
+    };
+    EXPECT_TRUE(i + 30 > last || mean(i + 15) < mean(i) + 0.02) << i;
+  }
 }
 
 }
