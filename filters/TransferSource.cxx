@@ -88,7 +88,7 @@ std::vector<std::string> describeScene(vtkImageData* seafloor, vtkDataArray* ele
   std::size_t frequencies, std::size_t directions, std::size_t perDirection)
 {
   const char* const edges[] = { "contours", "edge", "none" };
-  return { "seafloor " + hashOf(seafloor, elevation), entry("water level", options.waterLevel),
+  std::vector<std::string> scene{ "seafloor " + hashOf(seafloor, elevation), entry("water level", options.waterLevel),
     entry("gravity", options.gravity), entry("tolerance", options.tolerance),
     entry("aground depth", options.agroundDepth), entry("offshore depth", options.offshoreDepth),
     std::string("edge ") + edges[static_cast<int>(options.edge)],
@@ -96,6 +96,11 @@ std::vector<std::string> describeScene(vtkImageData* seafloor, vtkDataArray* ele
     options.current ? "current " + hashOf(*options.current) : "current none", entry("friction", options.friction),
     entry("frequencies", static_cast<double>(frequencies)), entry("directions", static_cast<double>(directions)),
     entry("rays a direction", static_cast<double>(perDirection)) };
+  if (options.map)
+  {
+    scene.emplace_back("earth ellipsoid");
+  }
+  return scene;
 }
 
 TransferTable readTransferTableIfThere(const std::string& file)

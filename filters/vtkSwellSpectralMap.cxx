@@ -4,11 +4,13 @@
 #include "CurrentSource.h"
 #include "FieldData.h"
 #include "GeoreferenceField.h"
+#include "PlacesPiece.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
 #include "TransferSource.h"
 #include "bathymetry/SpectrumFile.h"
 #include "sim/Angles.h"
+#include "sim/EllipsoidMercator.h"
 #include "sim/SeaState.h"
 #include "sim/SpectralSea.h"
 
@@ -19,6 +21,7 @@
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -77,17 +80,34 @@ int vtkSwellSpectralMap::FillInputPortInformation(int port, vtkInformation* info
   return 1;
 }
 
+int vtkSwellSpectralMap::RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkInformation* out = outputVector->GetInformationObject(0);
+  if (out->Has(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT()))
+  {
+    out->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
+  }
+  return 1;
+}
+
 int vtkSwellSpectralMap::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  // Rays come from far away: whatever part is asked for, all of the seafloor is needed.
-  vtkInformation* seafloor = inputVector[1]->GetInformationObject(0);
-  seafloor = seafloor ? seafloor : inputVector[0]->GetInformationObject(0);
-  if (seafloor->Has(Pipeline::WHOLE_EXTENT()))
+  // Rays come from far away: all of the seafloor is needed. And all places, as not every source can give a part of them.
+  for (int port = 0; port < 2; ++port)
   {
-    seafloor->Set(Pipeline::UPDATE_EXTENT(), seafloor->Get(Pipeline::WHOLE_EXTENT()), 6);
+    if (vtkInformation* input = inputVector[port]->GetInformationObject(0))
+    {
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      if (input->Has(Pipeline::WHOLE_EXTENT()))
+      {
+        input->Set(Pipeline::UPDATE_EXTENT(), input->Get(Pipeline::WHOLE_EXTENT()), 6);
+      }
+    }
   }
   return 1;
 }
@@ -95,7 +115,8 @@ int vtkSwellSpectralMap::RequestUpdateExtent(
 int vtkSwellSpectralMap::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* places = vtkDataSet::GetData(inputVector[0]);
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkSmartPointer<vtkDataSet> places = vtkDataSet::GetData(inputVector[0]);
   vtkImageData* image = vtkImageData::GetData(inputVector[1]);
   vtkDataSet* output = vtkDataSet::GetData(outputVector);
   try
@@ -103,6 +124,13 @@ int vtkSwellSpectralMap::RequestData(
     if (!image)
     {
       image = vtkImageData::SafeDownCast(places);
+    }
+    vtkInformation* asked = outputVector->GetInformationObject(0);
+    const int pieces = asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+    if (pieces > 1)
+    {
+      places = swellray::pieceOf(
+        places, asked->Get(Pipeline::UPDATE_EXTENT()), asked->Get(Pipeline::UPDATE_PIECE_NUMBER()), pieces);
     }
     if (!image)
     {
@@ -130,6 +158,11 @@ int vtkSwellSpectralMap::RequestData(
     state.fetch = this->Fetch != 0.0 ? std::optional<double>(this->Fetch) : std::nullopt;
     const bool ofFile = this->BoundaryFileName && *this->BoundaryFileName;
     const std::string transferFile = this->TransferFileName ? this->TransferFileName : "";
+    if (pieces > 1 && !transferFile.empty())
+    {
+      throw std::invalid_argument("the transfer file '" + transferFile + "' is for one piece, not one of " +
+        std::to_string(pieces) + ": several would write it at once");
+    }
     const bool table = this->KeepTransfer || !transferFile.empty();
     const auto frequencies = static_cast<std::size_t>(this->NumberOfFrequencies);
     const auto directions = static_cast<std::size_t>(this->NumberOfDirections);
@@ -172,10 +205,12 @@ int vtkSwellSpectralMap::RequestData(
     backward.edge = static_cast<swellray::EdgeRule>(this->Edge);
     backward.shoreNormal = this->UseShoreNormal ? std::optional<double>(this->ShoreNormal) : std::nullopt;
     backward.friction = this->Friction;
+    const swellray::Georeference scene = swellray::georeferenceOf(image);
+    backward.map = scene.mercator().get();
     std::shared_ptr<const swellray::Current> current;
     if (this->Current && *this->Current)
     {
-      current = this->Water->get(this->Current, swellray::georeferenceOf(image), seafloor->bounds());
+      current = this->Water->get(this->Current, scene, seafloor->bounds());
       backward.current = current.get();
     }
     const swellray::BackwardTracer tracer(*seafloor, backward);
@@ -192,10 +227,10 @@ int vtkSwellSpectralMap::RequestData(
     std::vector<swellray::PlaceSea> seas;
     if (table)
     {
-      const std::vector<std::string> scene =
+      const std::vector<std::string> description =
         swellray::describeScene(image, elevation, backward, frequencies, directions, options.rays.perDirection);
       constexpr double TracingShare = 0.95;
-      swellray::completeTransferTable(transferFile, kept, scene, options.rays, tracer, points,
+      swellray::completeTransferTable(transferFile, kept, description, options.rays, tracer, points,
         swellray::makeExecution(this, 0.0, TracingShare), "Swellray " SWELLRAY_VERSION);
       if (!this->GetAbortExecute())
       {
@@ -240,6 +275,7 @@ int vtkSwellSpectralMap::RequestData(
     }
     out->SetActiveScalars("SignificantWaveHeight");
     output->GetFieldData()->PassData(image->GetFieldData());
+    swellray::dropGeographicGrid(output);
     const swellray::SeaParameters offshore = swellray::seaParameters(sea);
     swellray::setFieldValue(output, "OffshoreSignificantWaveHeight", offshore.significantHeight);
     swellray::setFieldValue(output, "OffshorePeakPeriod", offshore.peakPeriod);

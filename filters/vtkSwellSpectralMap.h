@@ -43,6 +43,11 @@ struct TransferTable;
  * With TransferFileName the rays are kept in a file (swellray::TransferTable): places that it has are not traced again,
  * others are added to it. It is checked to belong to the same scene and rays, and brings its own frequencies. It is written
  * every 20 s while rays are traced, and after an abort, so that work that was broken off goes on where it was.
+ *
+ * Pieces (UPDATE_PIECE_NUMBER of UPDATE_NUMBER_OF_PIECES) share the places, whatever part of them the input could give: each asks
+ * for all of the places and of the seafloor, and traces its own (swellray::pieceOf). Images and structured grids are split into blocks that
+ * share the points between them, poly-data and unstructured grids by their points. The values do not depend on the number of pieces. A
+ * transfer file is for one piece alone.
  */
 class SWELLRAYFILTERS_EXPORT vtkSwellSpectralMap : public vtkDataSetAlgorithm
 {
@@ -246,7 +251,7 @@ public:
   void SetSeafloorConnection(vtkAlgorithmOutput* seafloor) { this->SetInputConnection(1, seafloor); }
 
 #ifndef __VTK_WRAP__
-  /** Spectra of the places, in their order, of the last update with KeepSpectra on; empty ones for dry places. */
+  /** Spectra of the places (of the piece), in their order, of the last update with KeepSpectra on; empty ones for dry places. */
   const std::vector<swellray::DirectionalSpectrum>& GetSpectra() const;
 
   /** Rays of the places, in their order, of the last update with KeepTransfer on or a TransferFileName. */
@@ -258,6 +263,7 @@ protected:
   ~vtkSwellSpectralMap() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

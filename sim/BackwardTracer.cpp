@@ -117,7 +117,8 @@ double BackwardTracer::depth(const glm::dvec2& place) const
 
 bool BackwardTracer::leavesData(const glm::dvec2& place) const
 {
-  const double near = OutlineCells * std::max(this->Floor.cellSize(), this->Floor.resolution());
+  const double scale = this->Options.map ? this->Options.map->scale(place) : 1.0;
+  const double near = OutlineCells * std::max(scale * this->Floor.cellSize(), this->Floor.resolution());
   for (std::size_t i = 0; i < this->Outline.size(); ++i)
   {
     if (distanceToSide(place, this->Outline[i], this->Outline[(i + 1) % this->Outline.size()]) <= near)
@@ -227,9 +228,10 @@ WaveOrigin BackwardTracer::follow(
   medium.agroundDepth = this->Options.agroundDepth;
   medium.current = this->Reversed.get();
   medium.obstacles = obstacles && !obstacles->empty() ? obstacles : nullptr;
+  medium.map = this->Options.map;
   RayStart start;
   start.position = place;
-  start.wavenumber = -k * direction; // and no tube: its derivatives stay 0
+  start.wavenumber = -k / medium.scale(place) * direction; // and no tube: its derivatives stay 0
   HamiltonianRay ray(medium, start, this->Options.tolerance, this->Options.maxSteps);
   RayPoint point;
   double decay = 0.0;

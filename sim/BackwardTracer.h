@@ -3,6 +3,7 @@
 #include "sim/Current.h"
 #include "sim/IncidentWave.h"
 #include "sim/LaunchLine.h"
+#include "sim/MapScale.h"
 #include "sim/RayField.h"
 #include "sim/Seafloor.h"
 
@@ -30,8 +31,10 @@ struct BackwardOptions
   std::optional<double> shoreNormal;    ///< nautical degrees, seaward normal of the contours
   const Current* current = nullptr;     ///< must outlive the tracer; none: still water
   const Obstacles* obstacles = nullptr; ///< must outlive the tracer; none: nothing stands in the water
-  double friction = 0.0;                ///< m2/s3, >= 0; 0: none
-  std::size_t maxSteps = 100000;        ///< of a ray: it is taken to come from nowhere then
+  const MapScale* map = nullptr; ///< of the Earth, whose metres those of the seafloor are (RayMedium); must outlive the
+                                 ///< tracer; none: a plane
+  double friction = 0.0;         ///< m2/s3, >= 0; 0: none
+  std::size_t maxSteps = 100000; ///< of a ray: it is taken to come from nowhere then
 
   /** @throws std::invalid_argument naming what is out of range */
   void validate() const;
@@ -59,6 +62,10 @@ struct WaveOrigin
  *
  * At the edge the launching rule (LaunchLine) is applied the other way round: the wavenumber along the contours is kept,
  * and no wave comes from offshore where it is larger than the wavenumber there.
+ *
+ * On a map of the Earth frequencies, headings (azimuths), depths and gains are true ones, and the invariant holds as it
+ * stands: an element of the map and one of its wavenumbers are as large together as the true ones. The sea offshore has the same
+ * spectrum of azimuths at every place of the edge.
  *
  * Bottom friction takes dE/dt = -c (sigma/(g sinh kh))^2 E along the ray (Hasselmann et al. 1973), c the coefficient.
  *

@@ -116,11 +116,13 @@ double SpectralSurf::shareAlong(const std::vector<RayPoint>& way, const SurfRule
     const double speed = groupSpeed(way[j]);
     return sampleOf(way[j].depth, glm::length(way[j].wavenumber), speed, here / std::sqrt(speed));
   };
+  const MapScale* map = this->Tracer.options().map;
   BreakingMarch march(rule, sample(begin));
   for (std::size_t j = begin + 1; j <= last; ++j)
   {
+    const double scale = map ? map->scale(0.5 * (way[j].position + way[j - 1].position)) : 1.0;
     march.advance(
-      sample(j), way[j].travelTime - way[j - 1].travelTime, glm::length(way[j].position - way[j - 1].position));
+      sample(j), way[j].travelTime - way[j - 1].travelTime, glm::length(way[j].position - way[j - 1].position) / scale);
   }
   return march.share();
 }

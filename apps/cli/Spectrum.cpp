@@ -316,7 +316,6 @@ void checkSpectrum(Request& request)
   const SpectrumRequest& sea = request.spectrum;
   const OutputRequest& output = request.output;
   checkOutputs(output);
-  checkPlane(request, "spectrum");
   const bool atStations = !(output.table.empty() && output.spectra.empty() && output.elevations.empty());
   if (output.map.empty() && !atStations)
   {

@@ -22,6 +22,16 @@ swellray_cli_test(ellipsoid_pole 1 "" "reach beyond latitude 85"
 swellray_cli_test(ellipsoid_word 2 "" "--earth must be plane or ellipsoid" "${trace} --earth sphere -o r.vtp")
 swellray_cli_test(ellipsoid_current 0 "left the scene" "" "${ocean} --current shear:S=1e-6 -o r.vtp")
 
+# A sea that enters from the west, 810 km away, comes from 7.6 degrees further south along its geodesic.
+file(WRITE "${inputs}/degrees.csv" "lon,lat\n184.5,-46\n")
+set(ocean_sea "$SWELLRAY spectrum $IN/ocean.asc --crs EPSG:4326 --hs 2 --tp 14 --direction 270 --spread 5 --edge none --frequencies 3 --directions 72")
+swellray_cli_test(ellipsoid_spectrum 0 "\n184.5,-46,5000,(2|1.99[0-9]*|2.00[0-9]*),[^\n]*,262[.][0-9]+,5[0-9.]*,0\n" ""
+  "${ocean_sea} --earth ellipsoid --quiet --stations $IN/degrees.csv --table t.csv && cat t.csv")
+swellray_cli_test(ellipsoid_spectrum_plane 0 "\n184.5,-46,5000,[^\n]*,270[0-9.]*,5[0-9.]*,0\n" ""
+  "${ocean_sea} --quiet --stations $IN/degrees.csv --table t.csv && cat t.csv")
+swellray_cli_test(ellipsoid_spectrum_map 0 "Mercator .variant B" ""
+  "${ocean_sea} --earth ellipsoid --map m.tif --map-spacing 400000 && gdalinfo m.tif")
+
 # Waves from a storm or a point.
 set(storm "$SWELLRAY trace $IN/ocean.asc --crs EPSG:4326 --earth ellipsoid --period 16 --height 3 --spacing 50000 --steps-per-wave 0.1")
 swellray_cli_test(storm_trace 0 "source +[0-9.e+]+ m away; the waves first arrive from 1[0-9.]+ degrees, over the edges from" ""
