@@ -151,6 +151,8 @@ OptionSpec pictureOption(std::string& target)
   return spec;
 }
 
+}
+
 OptionSpec cameraOption(RenderRequest& render)
 {
   OptionSpec spec{ "--camera", "shore|aerial|chart|X,Y,Z,FX,FY,FZ",
@@ -177,6 +179,9 @@ OptionSpec cameraOption(RenderRequest& render)
   };
   return spec;
 }
+
+namespace
+{
 
 OptionSpec sunOption(RenderRequest& render)
 {

@@ -41,6 +41,8 @@ constexpr vtkIdType MostRayPoints = 4000000;
 
 constexpr int FastestMovie = 60; // frames a second
 
+}
+
 scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
 {
   const RenderRequest& render = request.render;
@@ -63,6 +65,9 @@ scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
   return scene::cameraByName(render.camera.value_or(scene::CameraName::Shore),
     { seafloor, request.seafloor.options.waterLevel, request.rays.wave.directionFrom, request.rays.wave.height });
 }
+
+namespace
+{
 
 class Movie
 {

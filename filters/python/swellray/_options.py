@@ -27,6 +27,7 @@ _PROPERTIES = {
     "nodata": "NoData",
     "phase": "PhaseRule",
     "profile": "Section",
+    "size": "ImageSize",
     "source": "FileName",
     "spray_rate": "Rate",
     "spray_steepness": "Steepest",
