@@ -89,9 +89,9 @@ class SameAsProgram(FolderCase):
 
     def test_seen_surface(self):
         path = self.folder / "seen.vtp"
-        program("surface", "babbage", *OPTIONS, "--time", 3, "--camera", "500,-20,15,500,200,0", "--size", "500x400",
+        program("surface", "babbage", *OPTIONS, "--time", 3, "--camera", "500,150,15,500,400,0", "--size", "500x400",
                 "-o", path)
-        seen = self.rays.seen_surface(3.0, camera=((500, -20, 15), (500, 200, 0)), size=(500, 400))
+        seen = self.rays.seen_surface(3.0, camera=((500, 150, 15), (500, 400, 0)), size=(500, 400))
         self.assertGreater(len(seen), 500)
         self.assert_same(seen, path)
         with self.assertRaises(ValueError):
