@@ -10,6 +10,7 @@
 #include "TransferSource.h"
 #include "bathymetry/SpectrumFile.h"
 #include "sim/Angles.h"
+#include "sim/ElevationSeries.h"
 #include "sim/EllipsoidMercator.h"
 #include "sim/SeaState.h"
 #include "sim/SpectralSea.h"
@@ -68,6 +69,41 @@ const swellray::TransferTable& vtkSwellSpectralMap::GetTransferTable() const
 const std::vector<swellray::DirectionalSpectrum>& vtkSwellSpectralMap::GetSpectra() const
 {
   return *this->Spectra;
+}
+
+int vtkSwellSpectralMap::MakeElevations(double duration, double interval, int seed, vtkDoubleArray* elevations)
+{
+  try
+  {
+    if (!elevations || this->Spectra->empty())
+    {
+      throw std::invalid_argument("elevations need an array to go to, and spectra: update with KeepSpectra on");
+    }
+    swellray::ElevationTimes times;
+    times.interval = interval;
+    times.seed = static_cast<unsigned>(seed);
+    times.cover(duration);
+    elevations->SetName("Elevation");
+    elevations->SetNumberOfComponents(static_cast<int>(times.count));
+    elevations->SetNumberOfTuples(static_cast<vtkIdType>(this->Spectra->size()));
+    elevations->Fill(std::numeric_limits<double>::quiet_NaN());
+    for (times.index = 0; times.index < this->Spectra->size(); ++times.index)
+    {
+      const swellray::DirectionalSpectrum& spectrum = (*this->Spectra)[times.index];
+      if (!spectrum.density.empty())
+      {
+        const std::vector<double> record = swellray::elevationSeries(spectrum, times);
+        std::copy(
+          record.begin(), record.end(), elevations->GetPointer(static_cast<vtkIdType>(times.index * times.count)));
+      }
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
 }
 
 int vtkSwellSpectralMap::FillInputPortInformation(int port, vtkInformation* info)

@@ -16,6 +16,8 @@ struct DirectionalSpectrum;
 struct TransferTable;
 }
 
+class vtkDoubleArray;
+
 /**
  * @class   vtkSwellSpectralMap
  * @brief   the sea at places, refracted from a directional spectrum offshore
@@ -249,6 +251,14 @@ public:
 
   /** Connect the seafloor. */
   void SetSeafloorConnection(vtkAlgorithmOutput* seafloor) { this->SetInputConnection(1, seafloor); }
+
+  /**
+   * Surface elevation at the places in time, m (swellray::elevationSeries), from the spectra of the last update with KeepSpectra on:
+   * a tuple a place, a component a sample, `interval` s apart (> 0), as many as `duration` s take or some more. NaN at dry places.
+   * The same seed gives the same records.
+   * @return 0 after an error
+   */
+  int MakeElevations(double duration, double interval, int seed, vtkDoubleArray* elevations);
 
 #ifndef __VTK_WRAP__
   /** Spectra of the places (of the piece), in their order, of the last update with KeepSpectra on; empty ones for dry places. */

@@ -17,6 +17,26 @@ namespace swellray
 namespace
 {
 
+// The next number that is 4 times factors of 2, 3 and 5 only.
+std::size_t smoothCount(std::size_t least)
+{
+  for (std::size_t count = (least + 3) / 4 * 4;; count += 4)
+  {
+    std::size_t rest = count;
+    for (const std::size_t factor : { std::size_t(2), std::size_t(3), std::size_t(5) })
+    {
+      while (rest % factor == 0)
+      {
+        rest /= factor;
+      }
+    }
+    if (rest == 1)
+    {
+      return count;
+    }
+  }
+}
+
 // Integral of a function that is linear between nodes from the first node on.
 class LinearIntegral
 {
@@ -54,6 +74,17 @@ private:
   std::vector<double> Sums;
 };
 
+}
+
+void ElevationTimes::cover(double duration)
+{
+  constexpr double MostSamples = 1e6;
+  const double samples = std::ceil(duration / interval);
+  if (!(samples >= 2.0 && samples <= MostSamples))
+  {
+    throw std::invalid_argument("a record needs 2 to a million samples: its length over the interval");
+  }
+  count = smoothCount(static_cast<std::size_t>(samples));
 }
 
 void ElevationTimes::validate() const

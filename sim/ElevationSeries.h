@@ -16,6 +16,12 @@ struct ElevationTimes
   std::size_t index = 0;    ///< of the record: each has phases of its own
   unsigned seed = 1;
 
+  /**
+   * Set `count` for a record of at least this length: the next number that is 4 times factors of 2, 3 and 5 only.
+   * @throws std::invalid_argument where it has not 2 to a million samples
+   */
+  void cover(double duration);
+
   /** @throws std::invalid_argument */
   void validate() const;
 };

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -20,26 +19,6 @@ namespace
 
 constexpr const char* Group = "Elevation in time";
 constexpr double MostSamples = 1e6;
-
-// The next number that is 4 times factors of 2, 3 and 5 only.
-std::size_t smoothCount(std::size_t least)
-{
-  for (std::size_t count = (least + 3) / 4 * 4;; count += 4)
-  {
-    std::size_t rest = count;
-    for (const std::size_t factor : { std::size_t(2), std::size_t(3), std::size_t(5) })
-    {
-      while (rest % factor == 0)
-      {
-        rest /= factor;
-      }
-    }
-    if (rest == 1)
-    {
-      return count;
-    }
-  }
-}
 
 }
 
@@ -70,7 +49,7 @@ void writeElevations(const std::vector<DirectionalSpectrum>& spectra, const Requ
 {
   ElevationTimes times;
   times.interval = request.elevation.interval;
-  times.count = smoothCount(static_cast<std::size_t>(std::ceil(request.elevation.duration / times.interval)));
+  times.cover(request.elevation.duration);
   times.seed = static_cast<unsigned>(request.elevation.seed);
   std::vector<std::vector<double>> records;
   std::ofstream table(file.temporary(), std::ios::trunc);

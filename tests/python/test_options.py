@@ -13,8 +13,8 @@ ELSEWHERE = {
     "trace": {"output", "crests", "breaker_line", "map", "stations", "table", "water_levels", "compress", "points",
               "map_spacing", "combine", "method", "dispersion", "node_spacing", "min_depth", "coast_reflection",
               "side_walls", "max_memory", "dry_run", "from_site", "directions"},
-    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series", "elevation_series",
-                 "duration", "interval", "seed"},
+    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series"},
+    "sea": {"output", "height_map", "normal_map", "picture", "picture_size", "compress", "times", "eye", "look"},
     "contour": {"output", "compress", "points"},
     "surface": {"output", "compress", "times", "spray", "foam", "at", "table", "component"},
 }
@@ -47,9 +47,9 @@ class Options(unittest.TestCase):
         self.assert_options("trace", SEAFLOOR | trace)
         self.assert_options("contour", SEAFLOOR | keywords_of(swellray.Seafloor.contours))
         self.assert_options("surface", SEAFLOOR | trace | keywords_of(swellray.Rays.surface) |
-                            keywords_of(swellray.Rays.spray) | keywords_of(swellray.Rays.foam) |
-                            keywords_of(swellray.Rays.seen_surface))
+                            keywords_of(swellray.Rays.spray) | keywords_of(swellray.Rays.foam))
         self.assert_options("spectrum", SEAFLOOR | keywords_of(swellray.Seafloor.spectrum) - {"spacing"})
+        self.assert_options("sea", keywords_of(swellray.sea))
 
     def test_words_are_those_of_the_filters(self):
         number = _options.number_of_choice
@@ -71,6 +71,8 @@ class Options(unittest.TestCase):
             "positive": {"auto": reader.AUTO, "up": reader.UP, "down": reader.DOWN},
             "scheme": {"ode": tracer.ODE, "snell": tracer.SNELL},
             "shape": {"jonswap": sea.JONSWAP, "pierson-moskowitz": sea.PIERSON_MOSKOWITZ, "tma": sea.TMA},
+            "spreading": {"hasselmann": swellray.vtkSwellSea.HASSELMANN, "thon": swellray.vtkSwellSea.THON,
+                          "cosine": swellray.vtkSwellSea.COSINE_POWER, "normal": swellray.vtkSwellSea.WRAPPED_NORMAL},
         }
         self.assertEqual(set(_options.CHOICES), set(expected))
         for keyword, words in expected.items():
@@ -86,13 +88,14 @@ class Options(unittest.TestCase):
              {"from_storm", "from_point", "launch"}),
             (swellray.Seafloor.ways, [swellray.vtkSwellBackwardRays], {"site"}),
             (swellray.Seafloor.mild_slope, [swellray.vtkSwellMildSlope], {"stations"}),
-            (swellray.Seafloor.spectrum, [swellray.vtkSwellSpectralMap], {"stations", "spacing", "breaking"}),
+            (swellray.Seafloor.spectrum, [swellray.vtkSwellSpectralMap],
+             {"stations", "spacing", "breaking", "elevation_series", "duration", "interval", "seed"}),
+            (swellray.sea, [swellray.vtkSwellSea], set()),
             (swellray.Rays.heights, [swellray.vtkSwellWaveHeight], set()),
             (swellray.Rays.map, [swellray.vtkSwellMap], set()),
             (swellray.Rays.surface, [swellray.vtkSwellSurface], {"foam_life"}),
             (swellray.Rays.surface_at, [swellray.vtkSwellSurfaceProbe], {"places"}),
             (swellray.Rays.foam, [swellray.vtkSwellFoamMap], set()),
-            (swellray.Rays.seen_surface, [swellray.vtkSwellProjectedGrid], {"camera"}),
             (swellray.Rays.spray, [swellray.vtkSwellSpray], set()),
         ):
             keywords = sorted(keywords_of(function) - elsewhere)
@@ -102,7 +105,7 @@ class Options(unittest.TestCase):
                 self.assertTrue(any(hasattr(kind, "Set" + name) for kind in kinds), f"{function.__name__}: {name}")
 
     def test_words_are_those_of_the_program(self):
-        for command in ("trace", "spectrum", "surface"):
+        for command in ("trace", "spectrum", "surface", "sea"):
             for name, words in re.findall(r"--([a-z-]+) ([a-z-]+(?:\|[a-z-]+)+)", program(command, "--help")):
                 if name.replace("-", "_") in _options.CHOICES and (command, name) != ("spectrum", "breaking"):
                     self.assertEqual(set(words.split("|")), set(_options.CHOICES[name.replace("-", "_")]), name)
@@ -125,6 +128,7 @@ class Options(unittest.TestCase):
             (swellray.Seafloor.ways, inherited),
             (swellray.Seafloor.mild_slope, inherited),
             (swellray.Seafloor.spectrum, inherited),
+            (swellray.sea, set()),
             (swellray.Rays.heights, inherited),
             (swellray.Rays.crests, set()),
             (swellray.Rays.map, set()),
@@ -132,7 +136,6 @@ class Options(unittest.TestCase):
             (swellray.Rays.surface, set()),
             (swellray.Rays.surface_at, set()),
             (swellray.Rays.foam, set()),
-            (swellray.Rays.seen_surface, set()),
             (swellray.Rays.spray, set()),
         ):
             for keyword in keywords_of(function) - elsewhere:

@@ -18,10 +18,11 @@ filters that this package runs are there too (swellray.vtkSwellRayTracer, ...), 
 from . import swellrayFilters
 from ._results import Lines, Map, Rays, Result, Spray, Stations, Surface
 from ._run import Error, Notice, set_threads
+from ._sea import sea
 from ._seafloor import Seafloor
 from ._version import __version__
 from .swellrayFilters import *  # noqa: F401,F403  the wrapped filters, vtkSwell...
 
 __all__ = ["Seafloor", "Rays", "Lines", "Map", "Stations", "Surface", "Spray", "Result", "Error", "Notice",
-           "set_threads"]
+           "sea", "set_threads"]
 __all__ += [name for name in dir(swellrayFilters) if name.startswith("vtkSwell")]

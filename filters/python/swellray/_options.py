@@ -26,8 +26,8 @@ _PROPERTIES = {
     "min_depth": "MinimumDepth",
     "nodata": "NoData",
     "phase": "PhaseRule",
+    "pixels": "ImagePixels",
     "profile": "Section",
-    "size": "ImageSize",
     "source": "FileName",
     "spray_rate": "Rate",
     "spray_steepness": "Steepest",
@@ -49,6 +49,7 @@ CHOICES = {
     "positive": ("auto", "up", "down"),
     "scheme": ("ode", "snell"),
     "shape": ("pierson-moskowitz", "jonswap", "tma"),
+    "spreading": ("hasselmann", "thon", "cosine", "normal"),
 }
 
 # Keywords that are in use only with a switch of the filter beside them.

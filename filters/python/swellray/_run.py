@@ -32,9 +32,10 @@ def _listener(texts):
     return listen
 
 
-def run(algorithm, progress=None, stacklevel=3):
+def run(algorithm, progress=None, stacklevel=3, work=None):
     """Bring a filter up to date.
 
+    work: what to call in place of its Update()
     progress: called with the share that is done, 0 to 1; what it raises ends the work and is raised here.
     Raises Error with the filter's line; warns with Notice.
     """
@@ -57,7 +58,7 @@ def run(algorithm, progress=None, stacklevel=3):
         (executive, executive.AddObserver("ErrorEvent", _listener(errors))),
     ]
     try:
-        algorithm.Update()
+        (work or algorithm.Update)()
     finally:
         for owner, observer in observers:
             owner.RemoveObserver(observer)

@@ -1,7 +1,8 @@
 """The seafloor, and what is done on it."""
 
 import numpy
-from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData
 
 from . import swellrayFilters as filters
@@ -275,7 +276,7 @@ class Seafloor(Map):
                  fetch=None, boundary=None, stations=None, coordinates="file", spacing=None, frequencies=20,
                  directions=36, rays_per_direction=1, frequency_range=None, transfer=None, tolerance=None,
                  edge="contours", shore_normal=None, current=None, offshore_depth=None, gravity=None, breaking="gamma",
-                 gamma=None, friction=None, progress=None):
+                 gamma=None, friction=None, elevation_series=False, duration=1200.0, interval=0.5, seed=1, progress=None):
         """A sea from offshore: SignificantWaveHeight (m), PeakPeriod, MeanPeriod, ZeroCrossingPeriod, EnergyPeriod (s),
         MeanDirectionFrom, DirectionalSpread (degrees), Depth (m), Breaking; a Map, or Stations where these are given.
 
@@ -298,10 +299,17 @@ class Seafloor(Map):
         breaking: "none", "gamma" or "battjes-janssen"
         gamma: largest Hs over depth, default 0.6; with battjes-janssen breaker index, default by the steepness
         friction: bottom friction coefficient, m2/s3 (0.038: swell over sand); default 0
+
+        elevation_series: also the surface elevation in time at the stations, by random phases: the result has `.elevations`, m, a row a
+            station (NaN where it is dry), and `.times`, s
+        duration, interval: of these records, s; they are that long or somewhat longer
+        seed: their phases are drawn from this
         The others as in trace().
         """
         if boundary is None and (direction is None or (wind is None and (hs is None or tp is None))):
             raise TypeError("a sea offshore needs direction with hs and tp or with wind, or boundary")
+        if elevation_series and stations is None:
+            raise TypeError("elevation_series is of stations")
         algorithm = configure(
             filters.vtkSwellSpectralMap(), direction=direction, hs=hs, tp=tp, spread=spread, shape=shape,
             peakedness=peakedness, wind=wind, fetch=fetch, boundary=boundary, frequencies=frequencies,
@@ -312,8 +320,15 @@ class Seafloor(Map):
         places = self._nodes(spacing) if stations is None else self.places(stations, coordinates)
         algorithm.SetInputDataObject(0, places)
         algorithm.SetInputDataObject(1, self._vtk)
+        algorithm.SetKeepSpectra(elevation_series)
         run(algorithm, progress)
-        return (Map if stations is None else Stations)(output_of(algorithm))
+        sea = (Map if stations is None else Stations)(output_of(algorithm))
+        if elevation_series:
+            records = vtkDoubleArray()
+            run(algorithm, work=lambda: algorithm.MakeElevations(duration, interval, seed, records))
+            sea.elevations = vtk_to_numpy(records).reshape(places.GetNumberOfPoints(), -1)
+            sea.times = interval * numpy.arange(sea.elevations.shape[1])
+        return sea
 
     def _nodes(self, spacing):
         usual_nodes = 2500
