@@ -40,4 +40,7 @@ void checkDifferentFiles(const std::vector<std::pair<std::string, std::string>>&
 /** No two of the files to write are the same. @throws UsageError */
 void checkOutputs(const OutputRequest& output);
 
+/** Where a scene is seen from; --camera. */
+OptionSpec cameraOption(RenderRequest& render);
+
 }

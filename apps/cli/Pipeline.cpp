@@ -210,6 +210,18 @@ void setUp(vtkSwellFoamMap* foam, const SurfaceRequest& options)
   }
 }
 
+void setUp(vtkSwellProjectedGrid* grid, const SurfaceRequest& options)
+{
+  grid->SetSection(options.profile);
+  grid->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
+  grid->SetSeed(options.seed);
+  setGroups(grid, options);
+  if (options.foamLife)
+  {
+    grid->SetFoamLife(*options.foamLife);
+  }
+}
+
 void setUp(vtkSwellSurfaceProbe* probe, const SurfaceRequest& options)
 {
   probe->SetSection(options.profile);
@@ -240,6 +252,7 @@ Pipeline::Pipeline(const Request& request, Console& console)
   setUp(this->Surface, request.surface);
   setUp(this->Foam, request.surface);
   setUp(this->FoamMap, request.surface);
+  setUp(this->Seen, request.surface);
   setUp(this->Spray, request.surface);
   setUp(this->Probe, request.surface);
   for (const IncidentWave& wave : request.surface.components)
@@ -384,6 +397,25 @@ vtkPolyData* Pipeline::makeSurface(double time)
   this->Foam->SetInputConnection(this->Surface->GetOutputPort());
   runFilter(this->Foam, "foam", this->Screen);
   return this->Foam->GetOutput();
+}
+
+void Pipeline::seeBy(const scene::SceneCamera& camera, const std::array<int, 2>& size, int step)
+{
+  this->Seen->SetCameraPosition(camera.eye.data());
+  this->Seen->SetCameraFocalPoint(camera.focus.data());
+  this->Seen->SetCameraViewUp(camera.up.data());
+  this->Seen->SetViewAngle(camera.angle);
+  this->Seen->SetImageSize(size[0], size[1]);
+  this->Seen->SetPixelStep(step);
+}
+
+vtkPolyData* Pipeline::makeSeenSurface(double time)
+{
+  this->connectWaves(this->Seen);
+  this->Seen->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Seen->SetTime(time);
+  runFilter(this->Seen, "surface", this->Screen);
+  return this->Seen->GetOutput();
 }
 
 vtkImageData* Pipeline::makeFoamMap(double time)

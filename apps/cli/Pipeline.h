@@ -11,6 +11,7 @@
 #include <vtkSwellCrests.h>
 #include <vtkSwellFoam.h>
 #include <vtkSwellFoamMap.h>
+#include <vtkSwellProjectedGrid.h>
 #include <vtkSwellRayTracer.h>
 #include <vtkSwellSeafloorReader.h>
 #include <vtkSwellSpray.h>
@@ -73,6 +74,12 @@ public:
   /** Breaking-wave surface with foam over the rays that were traced, at a time, s. @throws WorkError */
   vtkPolyData* makeSurface(double time);
 
+  /** Let a camera sample the surface from now on: every `step` pixels of a picture. */
+  void seeBy(const scene::SceneCamera& camera, const std::array<int, 2>& size, int step);
+
+  /** That surface at a time, s. @throws WorkError */
+  vtkPolyData* makeSeenSurface(double time);
+
   /** Foam of the same waves on a grid of still water at a time, s. @throws WorkError */
   vtkImageData* makeFoamMap(double time);
 
@@ -106,6 +113,7 @@ private:
   vtkNew<vtkSwellSurface> Surface;
   vtkNew<vtkSwellFoam> Foam;
   vtkNew<vtkSwellFoamMap> FoamMap;
+  vtkNew<vtkSwellProjectedGrid> Seen;
   vtkNew<vtkSwellSpray> Spray;
   vtkNew<vtkSwellSurfaceProbe> Probe;
   std::vector<std::unique_ptr<Component>> Components;

@@ -83,15 +83,20 @@ std::vector<Obstacle> obstaclesToDraw(const Request& request, vtkImageData* seaf
   }
 }
 
-void checkScene(const Request& request)
+// A picture shows some more than what a file has by itself.
+constexpr double SceneSprayRate = 100.0;
+
+void checkScene(Request& request)
 {
   const RenderRequest& render = request.render;
   const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
   if (!render.scene)
   {
-    if (render.sceneOnly || render.time || render.times || movie || isNumbered(request.output.file))
+    if (render.sceneOnly || request.surface.sprayRate || render.time || render.times || movie ||
+      isNumbered(request.output.file))
     {
-      throw UsageError("--camera, --sun, --time, --times, a movie (.ogv) and numbered pictures need --style scene");
+      throw UsageError(
+        "--camera, --sun, --spray-rate, --time, --times, a movie (.ogv) and numbered pictures need --style scene");
     }
     return;
   }
@@ -122,6 +127,7 @@ void checkScene(const Request& request)
   {
     throw UsageError("a series of pictures is .png");
   }
+  request.surface.sprayRate = request.surface.sprayRate.value_or(SceneSprayRate);
 }
 
 // What VTK can write here; of other kinds of movies how they are made of it.
@@ -143,6 +149,8 @@ OptionSpec pictureOption(std::string& target)
     setName(typed);
   };
   return spec;
+}
+
 }
 
 OptionSpec cameraOption(RenderRequest& render)
@@ -171,6 +179,9 @@ OptionSpec cameraOption(RenderRequest& render)
   };
   return spec;
 }
+
+namespace
+{
 
 OptionSpec sunOption(RenderRequest& render)
 {
@@ -337,7 +348,10 @@ CommandSpec renderSpec(Request& request)
         { "auto", ChartFrame::Auto }, { "metric", ChartFrame::Metric }, { "graticule", ChartFrame::Graticule } }),
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
   OptionSpec time = number("--time", "S", "time of a scene, s", "0", "Scene", render.time, { "seconds" });
-  add(spec.options, { cameraOption(render), sunOption(render), time, timesOption(render.times, "Scene") });
+  add(spec.options,
+    { cameraOption(render), sunOption(render), time, timesOption(render.times, "Scene"),
+      number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "100",
+        "Scene", request.surface.sprayRate, { "", 0.0, 1e6 }) });
   add(spec.options, contourOptions(request.contour));
   add(spec.options, waveOptions(request.rays, false));
   spec.options.push_back(launchOption(request.start));

@@ -41,6 +41,8 @@ constexpr vtkIdType MostRayPoints = 4000000;
 
 constexpr int FastestMovie = 60; // frames a second
 
+}
+
 scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
 {
   const RenderRequest& render = request.render;
@@ -63,6 +65,9 @@ scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
   return scene::cameraByName(render.camera.value_or(scene::CameraName::Shore),
     { seafloor, request.seafloor.options.waterLevel, request.rays.wave.directionFrom, request.rays.wave.height });
 }
+
+namespace
+{
 
 class Movie
 {
@@ -124,6 +129,11 @@ scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
   return content;
 }
 
+vtkSmartPointer<vtkImageData> drawAt(scene::ScenePicture& picture, Pipeline& pipeline, double time)
+{
+  return picture.draw(pipeline.makeSurface(time), time, pipeline.makeSpray(time));
+}
+
 // Pictures of the very same call that are there are kept.
 void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneContent& content, Console& console)
 {
@@ -150,7 +160,7 @@ void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneCo
     else
     {
       OutputFile file(path, inputFiles(request));
-      writePicture(picture.draw(pipeline.makeSurface(origin.time), origin.time), origin, file);
+      writePicture(drawAt(picture, pipeline, origin.time), origin, file);
       file.commit();
     }
     console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
@@ -169,7 +179,7 @@ void drawScene(
   if (!render.times)
   {
     const double time = render.time.value_or(0.0);
-    writePicture(picture.draw(pipeline.makeSurface(time), time), { request.commandLine, time }, file);
+    writePicture(drawAt(picture, pipeline, time), { request.commandLine, time }, file);
     file.commit();
     console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), content.width, content.height));
     return;
@@ -179,7 +189,7 @@ void drawScene(
   for (std::size_t i = 0; i < count; ++i)
   {
     const double time = render.times->at(i);
-    movie.add(picture.draw(pipeline.makeSurface(time), time));
+    movie.add(drawAt(picture, pipeline, time));
     console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
   }
   console.endProgress();

@@ -194,6 +194,7 @@ struct SurfaceRequest
   std::optional<TimeSeries> times;        ///< frames of a series
   std::optional<double> pointsPerWave;    ///< none: as many as the section asks for
   std::optional<double> foamLife;         ///< s
+  std::optional<int> pixelStep;           ///< of a camera's samples; its place and picture are RenderRequest's
   std::optional<double> foamSpacing;      ///< of the nodes of its grid, m; none: the seafloor's
   int seed = 1;
   std::optional<double> groupWaves;     ///< a group; none: all are alike

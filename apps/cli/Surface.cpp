@@ -6,6 +6,7 @@
 #include "OptionKinds.h"
 #include "Pipeline.h"
 #include "RayStarts.h"
+#include "RenderScene.h"
 #include "SurfaceTable.h"
 #include "TimeSeriesOption.h"
 
@@ -16,6 +17,7 @@
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -28,6 +30,10 @@ namespace swellray::cli
 
 namespace
 {
+
+// The picture of a camera.
+constexpr std::array<int, 2> StandardPicture{ 1600, 900 };
+constexpr int StandardStep = 8; // pixels
 
 OptionSpec componentOption(SurfaceRequest& surface)
 {
@@ -118,6 +124,15 @@ void checkSurface(Request& request)
   {
     throw UsageError("--group-lull needs --group-waves N");
   }
+  if (request.render.sceneOnly && (request.output.file.empty() || surface.straightPhase))
+  {
+    throw UsageError("--camera samples the surface of -o FILE by the traced phase; give -o, and leave out --phase "
+                     "straight");
+  }
+  if (!request.render.sceneOnly && (request.render.size || surface.pixelStep))
+  {
+    throw UsageError("--size and --pixel-step need --camera");
+  }
   if (surface.foamSpacing && request.output.foam.empty())
   {
     throw UsageError("--foam-spacing needs --foam FILE");
@@ -179,8 +194,15 @@ void runSurface(const Request& request, Console& console)
       saying.push_back(say);
     }
   };
+  const bool seen = request.render.sceneOnly;
+  if (seen)
+  {
+    pipeline.seeBy(cameraOf(request, seafloor), request.render.size.value_or(StandardPicture),
+      surface.pixelStep.value_or(StandardStep));
+  }
   add(
-    surfaceFile, ".vtp", [&](double time) { return pipeline.makeSurface(time); }, saySurface);
+    surfaceFile, ".vtp",
+    [&](double time) { return seen ? pipeline.makeSeenSurface(time) : pipeline.makeSurface(time); }, saySurface);
   add(
     sprayFile, ".vtp", [&](double time) { return pipeline.makeSpray(time); }, saySpray);
   add(
@@ -223,6 +245,17 @@ CommandSpec surfaceSpec(Request& request)
   SurfaceRequest& surface = request.surface;
   OptionSpec points = number("--points-per-wave", "N", "points a wavelength along the rays", "as the profile needs",
     "Surface", surface.pointsPerWave, { "", 16.0, 10000.0 });
+  OptionSpec camera = cameraOption(request.render);
+  camera.help =
+    "sample the surface of -o where this camera has pixels, not by the rays: on the beach, from the air, from "
+    "above, or eye and what it looks at, in the grid's coordinates and metres of height";
+  camera.standard = "none";
+  camera.group = "Surface";
+  OptionSpec size{ "--size", "WxH", "size of its picture, pixels", "1600x900", "Surface", false, {} };
+  size.set = [&request](const std::string& typed) { request.render.size = parseSize("--size", typed); };
+  OptionSpec step{ "--pixel-step", "N", "pixels from sample to sample", "8", "Surface", false, {} };
+  step.set = [&surface](const std::string& typed)
+  { surface.pixelStep = static_cast<int>(parseWhole("--pixel-step", typed, 1, 1000)); };
   OptionSpec seed{ "--seed", "N", "what varies from wave to wave is drawn from this", "1", "Surface", false, {} };
   seed.set = [&surface](const std::string& typed)
   { surface.seed = static_cast<int>(parseWhole("--seed", typed, 0, 2'000'000'000)); };
@@ -246,7 +279,7 @@ CommandSpec surfaceSpec(Request& request)
     points, number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds),
     number("--foam-spacing", "M", "distance of the nodes of --foam, m", "that of the seafloor", "Surface",
       surface.foamSpacing, PositiveMetres),
-    seed,
+    camera, size, step, seed,
     number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
       "Surface", surface.sprayRate, { "", 0.0, 1e6 }),
     number("--spray-steepness", "R", "height over length from which on crests throw spray", "where the trace breaks",
@@ -267,6 +300,7 @@ CommandSpec surfaceSpec(Request& request)
     "  swellray surface babbage --period 6 --direction 0 --height 1 --component 2,20,0.1 --component 2.5,-15,0.15 -o "
     "b.vtp\n"
     "  swellray surface babbage --period 6 --direction 0 --height 1.5 --group-waves 7 --times 0:84:0.1 -o sets.pvd\n"
+    "  swellray surface babbage --period 6 --direction 0 --height 1.5 --camera shore --pixel-step 4 -o seen.vtp\n"
     "A series that was broken off goes on where it was when the same call is made again.\n";
   spec.check = checkSurface;
   spec.run = runSurface;

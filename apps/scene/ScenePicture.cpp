@@ -1,6 +1,7 @@
 #include "ScenePicture.h"
 
 #include "SceneShaders.h"
+#include "SprayStreaks.h"
 
 #include "apps/drawing/Relief.h"
 #include "sim/Angles.h"
@@ -52,6 +53,12 @@ constexpr double LongestRipple = 2.5;
 constexpr double FoamShare = 0.08;
 constexpr double LargestFoam = 4.0;
 
+// Droplets over the height of the waves, and their limits, m; drawn along their way in half the time of a frame of a film.
+constexpr double DropletShare = 0.02;
+constexpr double SmallestDroplet = 0.006;
+constexpr double LargestDroplet = 0.04;
+constexpr double Exposure = 1.0 / 48.0; // s
+
 void setUniform(vtkUniforms* uniforms, const char* name, const std::array<double, 3>& value)
 {
   const float values[3] = { static_cast<float>(value[0]), static_cast<float>(value[1]), static_cast<float>(value[2]) };
@@ -67,6 +74,7 @@ void setUniform(vtkUniforms* uniforms, const char* name, double value)
 
 ScenePicture::ScenePicture(const SceneContent& content)
   : Content(content)
+  , Shade(content.seafloor, content.sky.sun())
 {
   double bounds[6];
   content.seafloor->GetBounds(bounds);
@@ -79,11 +87,18 @@ ScenePicture::ScenePicture(const SceneContent& content)
   dome->SetThetaResolution(64);
   dome->SetPhiResolution(64);
   dome->Update();
-  this->addPart(this->Sky, this->SkyMapper, dome->GetOutput(), false, skyCode());
-  this->addPart(this->Land, this->LandMapper, drawing::reliefOf(content.seafloor, MostReliefNodes), false, landCode());
-  this->addPart(this->OpenSea, this->OpenSeaMapper, this->openSea(), true, waterCode());
+  const Values onLand{ { "sunSeen", "SunSeen" } };
+  const Values onWater{ { "sunSeen", "SunSeen" }, { "foam", "Foam" }, { "bedDepth", "Depth" } };
+  const Values ofSpray{ { "opacity", "Opacity" }, { "across", "Across" }, { "along", "Along" } };
+  this->addPart(this->Sky, this->SkyMapper, dome->GetOutput(), {}, skyCode());
+  const vtkSmartPointer<vtkPolyData> land = drawing::reliefOf(content.seafloor, MostReliefNodes);
+  this->Shade.addTo(land);
+  this->addPart(this->Land, this->LandMapper, land, onLand, landCode());
+  this->addPart(this->OpenSea, this->OpenSeaMapper, this->openSea(), onWater, waterCode());
   vtkNew<vtkPolyData> none;
-  this->addPart(this->Sea, this->SeaMapper, none, true, waterCode());
+  this->addPart(this->Sea, this->SeaMapper, none, onWater, waterCode());
+  this->addPart(this->Spray, this->SprayMapper, none, ofSpray, sprayCode());
+  this->Spray->ForceTranslucentOn();
 
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   camera->SetPosition(content.camera.eye.data());
@@ -106,7 +121,7 @@ ScenePicture::ScenePicture(const SceneContent& content)
 }
 
 void ScenePicture::addPart(
-  vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, bool isWater, const std::string& code)
+  vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, const Values& values, const std::string& code)
 {
   mapper->SetInputData(data);
   mapper->ScalarVisibilityOff();
@@ -115,19 +130,20 @@ void ScenePicture::addPart(
   {
     drawn->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
   }
-  if (isWater)
+  std::vector<std::string> names;
+  for (const auto& [name, array] : values)
   {
-    mapper->MapDataArrayToVertexAttribute("foamMC", "Foam", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
-    mapper->MapDataArrayToVertexAttribute("depthMC", "Depth", vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    mapper->MapDataArrayToVertexAttribute(
+      (name + "MC").c_str(), array.c_str(), vtkDataObject::FIELD_ASSOCIATION_POINTS, -1);
+    names.push_back(name);
   }
   actor->SetMapper(mapper);
   vtkShaderProperty* shader = actor->GetShaderProperty();
   shader->AddVertexShaderReplacement(
-    "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\n" + vertexDeclarations(isWater), false);
-  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, "//VTK::Normal::Impl\n" + vertexCode(isWater), false);
-  const std::string water = isWater ? "in float foam;\nin float bedDepth;\n" : "";
-  shader->AddFragmentShaderReplacement("//VTK::Normal::Dec", true,
-    "//VTK::Normal::Dec\nin vec3 place;\nin vec3 normal;\n" + water + sharedFunctions(), false);
+    "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\n" + vertexDeclarations(names), false);
+  shader->AddVertexShaderReplacement("//VTK::Normal::Impl", true, "//VTK::Normal::Impl\n" + vertexCode(names), false);
+  shader->AddFragmentShaderReplacement(
+    "//VTK::Normal::Dec", true, "//VTK::Normal::Dec\n" + fragmentDeclarations(names) + sharedFunctions(), false);
   shader->AddFragmentShaderReplacement("//VTK::Light::Impl", true, code, false);
   this->setUniforms(actor, 0.0);
   this->Renderer->AddActor(actor);
@@ -170,6 +186,10 @@ vtkSmartPointer<vtkPolyData> ScenePicture::openSea() const
   foam->SetName("Foam");
   foam->SetNumberOfTuples(count);
   foam->Fill(0.0);
+  vtkNew<vtkFloatArray> seen;
+  seen->SetName("SunSeen");
+  seen->SetNumberOfTuples(count);
+  seen->Fill(1.0);
   vtkNew<vtkDoubleArray> depth;
   depth->SetName("Depth");
   depth->SetNumberOfTuples(count);
@@ -191,15 +211,30 @@ vtkSmartPointer<vtkPolyData> ScenePicture::openSea() const
   }
   sea->SetPoints(points);
   sea->GetPointData()->AddArray(foam);
+  sea->GetPointData()->AddArray(seen);
   sea->GetPointData()->AddArray(depth);
   sea->GetPointData()->SetNormals(normals);
   return sea;
 }
 
-vtkSmartPointer<vtkImageData> ScenePicture::draw(vtkPolyData* surface, double time)
+vtkSmartPointer<vtkImageData> ScenePicture::draw(vtkPolyData* surface, double time, vtkPolyData* spray)
 {
-  this->SeaMapper->SetInputData(surface);
-  for (vtkActor* actor : { this->Sky.Get(), this->Sea.Get(), this->OpenSea.Get(), this->Land.Get() })
+  this->Shade.setWaves(surface);
+  vtkNew<vtkPolyData> sea;
+  sea->ShallowCopy(surface);
+  this->Shade.addTo(sea);
+  this->SeaMapper->SetInputData(sea);
+  if (spray)
+  {
+    StreakView view;
+    view.eye = this->Content.camera.eye;
+    view.exposure = Exposure;
+    view.radius = std::clamp(DropletShare * this->Content.waveHeight, SmallestDroplet, LargestDroplet);
+    view.pixel = radians(this->Content.camera.angle) / this->Content.height;
+    this->SprayMapper->SetInputData(streaksOf(spray, view));
+  }
+  this->Spray->SetVisibility(spray && spray->GetNumberOfPoints() > 0);
+  for (vtkActor* actor : { this->Sky.Get(), this->Sea.Get(), this->OpenSea.Get(), this->Land.Get(), this->Spray.Get() })
   {
     this->setUniforms(actor, time);
   }

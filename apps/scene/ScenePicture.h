@@ -2,6 +2,7 @@
 
 #include "SceneCamera.h"
 #include "SkyModel.h"
+#include "SunShade.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -9,6 +10,10 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+
+#include <string>
+#include <utility>
+#include <vector>
 
 class vtkImageData;
 class vtkPolyData;
@@ -32,8 +37,8 @@ struct SceneContent
 
 /**
  * Pictures of sky, sea and shore, drawn off screen by shaders of our own: the sky by SkyModel and its reflection by
- * Fresnel's law (Schlick 1994), ripples of the wind, light through shallow water and thin crests, foam, sand that is wet
- * as high as waves come, and air in between.
+ * Fresnel's law (Schlick 1994), ripples of the wind, light through shallow water and thin crests, foam, spray in motion, sand
+ * that is wet as high as waves come, shadows of land and waves, and air in between.
  *
  * It needs a display (drawing::VirtualDisplay).
  */
@@ -45,21 +50,27 @@ public:
   /**
    * Draw the sea at a time.
    * @param surface of vtkSwellFoam: point arrays Normals, Foam and Depth
+   * @param spray of vtkSwellSpray: point array Velocity; null: none
    * @return red, green, blue, unsigned char, the lower row first
    */
-  vtkSmartPointer<vtkImageData> draw(vtkPolyData* surface, double time);
+  vtkSmartPointer<vtkImageData> draw(vtkPolyData* surface, double time, vtkPolyData* spray = nullptr);
 
 private:
-  void addPart(vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, bool isWater, const std::string& code);
+  // Values of points that shaders read, and the arrays that have them.
+  using Values = std::vector<std::pair<std::string, std::string>>;
+
+  void addPart(
+    vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, const Values& values, const std::string& code);
   void setUniforms(vtkActor* actor, double time);
   vtkSmartPointer<vtkPolyData> openSea() const;
 
   SceneContent Content;
+  SunShade Shade;
   double Extent = 1.0; // of the scene, m
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
-  vtkNew<vtkActor> Sky, Sea, OpenSea, Land;
-  vtkNew<vtkPolyDataMapper> SkyMapper, SeaMapper, OpenSeaMapper, LandMapper;
+  vtkNew<vtkActor> Sky, Sea, OpenSea, Land, Spray;
+  vtkNew<vtkPolyDataMapper> SkyMapper, SeaMapper, OpenSeaMapper, LandMapper, SprayMapper;
 };
 
 }

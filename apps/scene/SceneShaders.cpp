@@ -3,16 +3,34 @@
 namespace swellray::scene
 {
 
-std::string vertexDeclarations(bool isWater)
+std::string vertexDeclarations(const std::vector<std::string>& values)
 {
   std::string code = "out vec3 place;\nout vec3 normal;\n";
-  return isWater ? code + "in float foamMC;\nin float depthMC;\nout float foam;\nout float bedDepth;\n" : code;
+  for (const std::string& value : values)
+  {
+    code += "in float " + value + "MC;\nout float " + value + ";\n";
+  }
+  return code;
 }
 
-std::string vertexCode(bool isWater)
+std::string vertexCode(const std::vector<std::string>& values)
 {
   std::string code = "place = vertexMC.xyz;\nnormal = normalMC;\n";
-  return isWater ? code + "foam = foamMC;\nbedDepth = depthMC;\n" : code;
+  for (const std::string& value : values)
+  {
+    code += value + " = " + value + "MC;\n";
+  }
+  return code;
+}
+
+std::string fragmentDeclarations(const std::vector<std::string>& values)
+{
+  std::string code = "in vec3 place;\nin vec3 normal;\n";
+  for (const std::string& value : values)
+  {
+    code += "in float " + value + ";\n";
+  }
+  return code;
 }
 
 std::string sharedFunctions()
@@ -133,19 +151,19 @@ std::string waterCode()
   float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0);
   vec3 reflected = skyLight(mirror);
   float glint = max(dot(mirror, sunDirection), 0.0);
-  reflected += middle * sunColor * (30.0 * pow(glint, 900.0) + 1.2 * pow(glint, 60.0));
+  reflected += sunSeen * middle * sunColor * (30.0 * pow(glint, 900.0) + 1.2 * pow(glint, 60.0));
 
   // Light out of the water: its own colour, and the sand where it is shallow.
   float sun = max(sunDirection.z, 0.1);
-  vec3 deep = middle * vec3(0.008, 0.085, 0.12) * (0.6 + 0.6 * sun);
-  vec3 sand = middle * vec3(0.62, 0.52, 0.36) * (0.5 + 0.8 * sun);
+  vec3 deep = middle * vec3(0.008, 0.085, 0.12) * (0.6 + 0.6 * sun * sunSeen);
+  vec3 sand = middle * vec3(0.62, 0.52, 0.36) * (0.5 + 0.8 * sun * sunSeen);
   float way = max(bedDepth, 0.0) * (1.0 + 1.0 / max(0.35, view.z));
   vec3 body = mix(deep, sand, exp(-way * vec3(0.55, 0.16, 0.13)));
 
   // Crests are thin: the sun shines through those that stand between it and the eye.
   float crest = clamp((place.z - waterLevel) / waveHeight, 0.0, 1.2);
   float against = 0.25 + max(0.0, -dot(normalize(view.xy), normalize(sunDirection.xy + 1e-6)));
-  body += middle * vec3(0.05, 0.42, 0.34) * 2.0 * crest * crest * against * (1.0 - 0.6 * abs(up.z));
+  body += middle * vec3(0.05, 0.42, 0.34) * 2.0 * crest * crest * against * (0.3 + 0.7 * sunSeen) * (1.0 - 0.6 * abs(up.z));
 
   vec3 light = mix(body, reflected, fresnel);
 
@@ -157,7 +175,7 @@ std::string waterCode()
   float grain = clamp(0.5 + 2.4 * (0.7 * patches + 0.3 * bubbles - 0.5), 0.0, 1.0);
   float left = 0.86 * foam;
   float cover = smoothstep(1.0 - left, 1.2 - left, grain) * step(0.004, foam);
-  float lit = 1.1 + 0.9 * max(dot(up, sunDirection), 0.0);
+  float lit = 1.1 + 0.9 * sunSeen * max(dot(up, sunDirection), 0.0);
   light = mix(light, middle * vec3(0.97, 0.99, 1.0) * lit * (0.7 + 0.5 * bubbles), 0.95 * cover);
 
   gl_FragData[0] = tone(throughAir(light, -view, distance));
@@ -182,13 +200,27 @@ std::string landCode()
   float green = smoothstep(2.0 * waveHeight, 3.5 * waveHeight, height + 2.0 * waveHeight * (spots - 0.5));
   vec3 albedo = mix(sand, grass, green) * mix(1.0, 0.5, wet);
   vec3 overhead = skyLight(vec3(0.0, 0.0, 1.0));
-  vec3 lit = 2.6 * middle * sunColor * max(dot(n, sunDirection), 0.0) + 0.6 * (overhead + 0.3 * middle);
+  vec3 lit = 2.6 * sunSeen * middle * sunColor * max(dot(n, sunDirection), 0.0) + 0.6 * (overhead + 0.3 * middle);
   vec3 light = albedo * lit;
   vec3 mirror = reflect(-view, normalize(vec3(0.3 * n.xy, n.z)));
   mirror = normalize(vec3(mirror.xy, max(mirror.z, 0.02)));
   float fresnel = 0.02 + 0.98 * pow(1.0 - max(dot(n, view), 0.0), 5.0);
   light = mix(light, skyLight(mirror), 0.75 * wet * fresnel);
   gl_FragData[0] = tone(throughAir(light, -view, distance));
+)";
+}
+
+std::string sprayCode()
+{
+  return R"(
+  vec3 toEye = eye - place;
+  float distance = length(toEye);
+  vec3 view = toEye / distance;
+  // Water in the air scatters most of the light on.
+  float through = pow(max(0.0, -dot(view, sunDirection)), 8.0);
+  vec3 light = middle * vec3(0.97, 0.99, 1.0) * (1.3 + sunDirection.z * 0.5 + 2.5 * through);
+  float inside = (1.0 - across * across) * (1.0 - along * along * along * along);
+  gl_FragData[0] = vec4(tone(throughAir(light, -view, distance)).rgb, opacity * inside);
 )";
 }
 

@@ -4,7 +4,7 @@
 # Significant heights over the two bars of Egmond aan Zee in November 1998 (COAST3D), hour by hour from the sea measured offshore,
 # with the tide, beside those measured at five poles. Grid and measurements are no part of Swellray: they are looked
 # for in SWELLRAY_DATA. The cells are marked by `# %%`; `python3 egmond.py FOLDER HOURS` runs them all, for every so
-# many hours (72 by default; 1 takes about half an hour on two cores).
+# many hours (72 by default; 1 takes about ten minutes on two cores).
 
 # %%
 import csv
@@ -59,7 +59,7 @@ for hour in hours:
            for name, values in sea.items()}
     bed.water_level = now["water_level_m"]
     waves = bed.spectrum(hs=now["Hm0_m"], tp=now["Tp_s"], direction=now["dir_degN"], spread=now["spread_deg"],
-                         offshore_depth=13.5, breaking="battjes-janssen", frequencies=10,
+                         offshore_depth=13.5, breaking="battjes-janssen", friction=0.038, frequencies=10,
                          stations=[places[pole] for pole in POLES])
     for pole, height in zip(POLES, waves["SignificantWaveHeight"]):
         computed[hour, pole] = height

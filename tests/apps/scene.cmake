@@ -11,6 +11,7 @@ swellray_cli_test(scene_sun_set 2 "" "elevation of 2 to 90 degrees" "${scene} --
 swellray_cli_test(scene_movie_without_times 2 "" "a movie needs --times" "${scene} -o m.ogv")
 swellray_cli_test(scene_times_without_movie 2 "" "--times needs a movie, numbered pictures" "${scene} --times 0:1:0.1 -o p.png")
 swellray_cli_test(chart_camera 2 "" "need --style scene" "$SWELLRAY render bay --camera aerial -o p.png")
+swellray_cli_test(chart_spray 2 "" "need --style scene" "$SWELLRAY render bay --spray-rate 5 -o p.png")
 swellray_cli_test(chart_movie 2 "" "need --style scene" "$SWELLRAY render bay -o p.ogv")
 swellray_cli_test(scene_no_display 1 "" "no display to draw on" "env -u DISPLAY PATH=/nowhere ${scene} -o p.png")
 swellray_cli_test(chart_time 2 "" "need --style scene" "$SWELLRAY render bay --time 2 -o p.png")

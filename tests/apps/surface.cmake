@@ -45,6 +45,13 @@ swellray_cli_test(surface_groups 0 "^yes\n$" "warning: the seafloor grid|^$"
   "printf 'x,y\\n60,100\\n' > p.csv && ${surface} --profile airy --at p.csv --table a.csv --times 0:30:0.1 --group-waves 5 --group-lull 0.2 && awk -F, 'NR > 1 { e = \$4 > 0 ? \$4 : -\$4; if (NR < 30 || NR > 270) next; i = int(NR / 60); if (e > m[i]) m[i] = e } END { h = l = m[1]; for (i in m) { h = m[i] > h ? m[i] : h; l = m[i] < l ? m[i] : l }; print (h > 2 * l ? \"yes\" : \"no\" h \" \" l) }' a.csv")
 swellray_cli_test(surface_group_lull_alone 2 "" "--group-lull needs --group-waves" "${surface} -o s.vtp --group-lull 0.5")
 swellray_cli_test(surface_group_waves 2 "" "--group-waves must be" "${surface} -o s.vtp --group-waves 1")
+# As a camera samples it.
+swellray_cli_test(surface_camera 0 "surface  gonzato-lesaec: [0-9]+ points.*wrote    s.vtp" "warning: the seafloor grid|^$"
+  "$SWELLRAY surface $IN/beach.asc ${wave} --camera 165,100,8,60,100,0 --size 640x480 --pixel-step 4 -o s.vtp")
+swellray_cli_test(surface_camera_series 0 "" "warning: the seafloor grid|^$" "${surface} --camera shore --times 0:1:0.5 -o s.pvd && test -s s/s_000002.vtp")
+swellray_cli_test(surface_camera_below 1 "" "must be above the water" "${surface} --camera 165,100,-8,60,100,-9 -o s.vtp 2>err; code=$?; grep -v warning err >&2; exit $code")
+swellray_cli_test(surface_camera_alone 2 "" "give -o" "${surface} --camera shore --spray p.vtp")
+swellray_cli_test(surface_pixel_step_alone 2 "" "need --camera" "${surface} --pixel-step 4 -o s.vtp")
 # A sea of several waves.
 swellray_cli_test(surface_components 0 "1\n2\n$" "warning: the seafloor grid|^$"
   "printf 'x,y\\n100,100\\n' > p.csv && ${surface} --at p.csv --table a.csv && ${surface} --at p.csv --table b.csv --component 3,260,0.2 --component 2.5,280,0.1 && grep -c -v '^x' a.csv && cmp -s a.csv b.csv; echo $(( $? + 1 ))")

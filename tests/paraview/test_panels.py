@@ -18,6 +18,7 @@ LEFT_OUT = {
     ("vtkSwellSurface", "Time"): "the animation has it",
     ("vtkSwellSpray", "Time"): "the animation has it",
     ("vtkSwellFoamMap", "Time"): "the animation has it",
+    ("vtkSwellProjectedGrid", "Time"): "the animation has it",
     ("vtkSwellSea", "Time"): "the animation has it",
     ("vtkSwellSpectralMap", "KeepSpectra"): "spectra are no arrays",
     ("vtkSwellSpectralMap", "KeepTransfer"): "rays of a sea are no arrays",

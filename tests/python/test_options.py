@@ -47,7 +47,8 @@ class Options(unittest.TestCase):
         self.assert_options("trace", SEAFLOOR | trace)
         self.assert_options("contour", SEAFLOOR | keywords_of(swellray.Seafloor.contours))
         self.assert_options("surface", SEAFLOOR | trace | keywords_of(swellray.Rays.surface) |
-                            keywords_of(swellray.Rays.spray) | keywords_of(swellray.Rays.foam))
+                            keywords_of(swellray.Rays.spray) | keywords_of(swellray.Rays.foam) |
+                            keywords_of(swellray.Rays.seen_surface))
         self.assert_options("spectrum", SEAFLOOR | keywords_of(swellray.Seafloor.spectrum) - {"spacing"})
         self.assert_options("sea", keywords_of(swellray.sea))
 
@@ -96,6 +97,7 @@ class Options(unittest.TestCase):
             (swellray.Rays.surface, [swellray.vtkSwellSurface], {"foam_life"}),
             (swellray.Rays.surface_at, [swellray.vtkSwellSurfaceProbe], {"places"}),
             (swellray.Rays.foam, [swellray.vtkSwellFoamMap], set()),
+            (swellray.Rays.seen_surface, [swellray.vtkSwellProjectedGrid], {"camera"}),
             (swellray.Rays.spray, [swellray.vtkSwellSpray], set()),
         ):
             keywords = sorted(keywords_of(function) - elsewhere)
@@ -136,6 +138,7 @@ class Options(unittest.TestCase):
             (swellray.Rays.surface, set()),
             (swellray.Rays.surface_at, set()),
             (swellray.Rays.foam, set()),
+            (swellray.Rays.seen_surface, set()),
             (swellray.Rays.spray, set()),
         ):
             for keyword in keywords_of(function) - elsewhere:

@@ -87,6 +87,16 @@ class SameAsProgram(FolderCase):
         self.assertGreater(numpy.count_nonzero(foam["Foam"] > 0), 50)
         self.assert_same(foam, path)
 
+    def test_seen_surface(self):
+        path = self.folder / "seen.vtp"
+        program("surface", "babbage", *OPTIONS, "--time", 3, "--camera", "500,150,15,500,400,0", "--size", "500x400",
+                "-o", path)
+        seen = self.rays.seen_surface(3.0, camera=((500, 150, 15), (500, 400, 0)), size=(500, 400))
+        self.assertGreater(len(seen), 500)
+        self.assert_same(seen, path)
+        with self.assertRaises(ValueError):
+            self.rays.seen_surface(3.0, camera=(500, -20, 15))
+
     def test_surface_at(self):
         points, path = self.folder / "points.csv", self.folder / "series.csv"
         points.write_text("x,y\n500,700\n480,650\n")

@@ -7,6 +7,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSwellFoam.h>
 #include <vtkSwellRayTracer.h>
@@ -178,4 +179,30 @@ TEST_F(ScenePictureTest, FramesDependOnTheirTimeAlone)
   this->Foam->Update();
   const auto again = picture->draw(this->Foam->GetOutput(), 0.0);
   EXPECT_EQ(differences(first, again), 0);
+}
+
+TEST_F(ScenePictureTest, SprayIsSeenOverTheSea)
+{
+  const auto picture = this->makePicture(CameraName::Chart);
+  // A cloud of droplets over deep water in the east.
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> velocity;
+  velocity->SetName("Velocity");
+  velocity->SetNumberOfComponents(3);
+  for (int i = 0; i < 2000; ++i)
+  {
+    points->InsertNextPoint(42.0 + 0.1 * (i % 50), -2.0 + 0.1 * (i / 50), 1.0);
+    velocity->InsertNextTuple3(-2.0, 0.0, 1.0);
+  }
+  vtkNew<vtkPolyData> spray;
+  spray->SetPoints(points);
+  spray->GetPointData()->AddArray(velocity);
+  const auto without = picture->draw(this->Foam->GetOutput(), 0.0);
+  const auto with = picture->draw(this->Foam->GetOutput(), 0.0, spray);
+  // The scene is 100 m, as the picture is high, and the cloud 5 m by 4 m.
+  const int cloud = differences(without, with);
+  EXPECT_GT(cloud, 0.3 * 20.0 * Height * Height / 1e4);
+  EXPECT_LT(cloud, 4.0 * 20.0 * Height * Height / 1e4);
+  EXPECT_GT(mean(with, 0.67, 0.70, 0.48, 0.52)[0], mean(without, 0.67, 0.70, 0.48, 0.52)[0] + 10.0);
+  EXPECT_EQ(differences(without, picture->draw(this->Foam->GetOutput(), 0.0)), 0);
 }

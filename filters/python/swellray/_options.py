@@ -28,6 +28,7 @@ _PROPERTIES = {
     "phase": "PhaseRule",
     "pixels": "ImagePixels",
     "profile": "Section",
+    "size": "ImageSize",
     "source": "FileName",
     "spray_rate": "Rate",
     "spray_steepness": "Steepest",

@@ -423,6 +423,35 @@ class Rays(Lines):
         run(algorithm)
         return Stations(output_of(algorithm))
 
+    def seen_surface(self, time=0.0, *, camera, size=(1600, 900), pixel_step=8, profile="gonzato-lesaec",
+                     points_per_wave=None, foam_life=None, seed=1, group_waves=None, group_lull=None):
+        """The breaking-wave surface with its foam as a camera samples it, at every n-th pixel: what it costs follows the
+        picture and not the scene.
+
+        time: s
+        camera: two places, eye and what it looks at, ((x, y, z), (x, y, z)), m in the scene's plane
+        size: width and height of the picture, pixels
+        pixel_step: pixels from sample to sample
+        profile, points_per_wave, foam_life, seed, group_waves, group_lull: as for surface()
+        """
+        try:
+            eye, focus = numpy.asarray(camera, dtype=float).reshape(2, 3)
+        except (TypeError, ValueError):
+            raise ValueError(f"camera must be two places of three numbers, not {camera!r}") from None
+        key = ("seen", profile, points_per_wave, seed, group_waves, group_lull)
+        if key not in self._surfaces:
+            algorithm = configure(filters.vtkSwellProjectedGrid(), profile=profile, points_per_wave=points_per_wave,
+                                  seed=seed, group_waves=group_waves, group_lull=group_lull)
+            algorithm.SetViewAngle(40.0)
+            self._surfaces[key] = self._on_seafloor(algorithm)
+        algorithm = configure(self._surfaces[key], time=float(time), foam_life=8.0 if foam_life is None else foam_life,
+                              size=size, pixel_step=pixel_step)
+        algorithm.SetCameraPosition(eye)
+        algorithm.SetCameraFocalPoint(focus)
+        algorithm.SetCameraViewUp((0.0, 0.0, 1.0) if any(eye[:2] != focus[:2]) else (0.0, 1.0, 0.0))
+        run(algorithm)
+        return Surface(output_of(algorithm))
+
     def foam(self, time=0.0, *, profile="gonzato-lesaec", points_per_wave=None, foam_life=None, foam_spacing=None, seed=1,
              group_waves=None, group_lull=None):
         """Foam on a grid of still water: Foam, 0 to 1, NaN where no wave comes.
