@@ -48,7 +48,7 @@ const Rgb ObstacleColor{ 0.45, 0.05, 0.12 };
 
 const std::map<std::string, std::pair<std::string, std::string>> Names{
   { "WaveHeight", { "Wave height", "m" } },
-  { "Depth", { "Depth along ray", "m" } },
+  { "Depth", { "Depth", "m" } },
   { "Phase", { "Phase", "rad" } },
   { "TravelTime", { "Travel time", "s" } },
   { "Wavenumber", { "Wavenumber", "rad/m" } },
@@ -65,6 +65,12 @@ const std::map<std::string, std::pair<std::string, std::string>> Names{
   { "OrbitalVelocity", { "Velocity at bed", "m/s" } },
   { "Caustics", { "Caustics passed", "" } },
   { "Breaking", { "Breaking", "" } },
+  { "Elevation", { "Elevation", "m" } },
+  { "SignificantWaveHeight", { "Significant height", "m" } },
+  { "PeakPeriod", { "Peak period", "s" } },
+  { "MeanPeriod", { "Mean period", "s" } },
+  { "MeanDirectionFrom", { "Mean direction from", "deg" } },
+  { "DirectionalSpread", { "Spread", "deg" } },
 };
 
 // Metres to pixels.
