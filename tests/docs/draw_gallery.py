@@ -14,11 +14,11 @@ from vtkmodules.vtkIOImage import vtkJPEGReader, vtkPNGReader
 
 # Pictures are compared in squares of so many pixels: drivers draw the edges of lines in ways of their own, which a mean over a
 # square does not see, and lines that lie elsewhere or other colours do.
-SQUARE = 20
+SQUARE = 5
 # Levels of 255 by which the mean of a square may be off before it counts as another.
 OTHER = 12
 # Share of squares that may be others.
-MOST_OTHER = 0.02
+MOST_OTHER = 0.03
 LARGEST = 150_000  # bytes of a picture kept
 
 
