@@ -56,9 +56,18 @@ vec3 skyLight(vec3 direction)
 
 const vec3 sunColor = vec3(1.0, 0.93, 0.80);
 
+// Whole numbers hashed, so that every driver draws the same patches: pcg2d of M. Jarzynski and M. Olano, Journal of
+// Computer Graphics Techniques 9(3), 2020.
 float hash(vec2 p)
 {
-  return fract(sin(dot(p, vec2(127.1, 311.7))) * 43758.5453);
+  uvec2 v = uvec2(ivec2(p)) * 1664525u + 1013904223u;
+  v.x += v.y * 1664525u;
+  v.y += v.x * 1664525u;
+  v ^= v >> 16u;
+  v.x += v.y * 1664525u;
+  v.y += v.x * 1664525u;
+  v ^= v >> 16u;
+  return float(v.x >> 8u) / 16777216.0;
 }
 
 float noise(vec2 p)
