@@ -26,7 +26,6 @@ _PROPERTIES = {
     "min_depth": "MinimumDepth",
     "nodata": "NoData",
     "phase": "PhaseRule",
-    "pixels": "ImagePixels",
     "profile": "Section",
     "size": "ImageSize",
     "source": "FileName",

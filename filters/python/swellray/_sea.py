@@ -45,6 +45,6 @@ def sea(*, direction, hs=None, tp=None, wind=None, fetch=None, shape="jonswap", 
         filters.vtkSwellSea(), direction=direction, hs=hs, tp=tp, wind=wind, fetch=fetch, shape=shape, peakedness=peakedness,
         spread=spread, spreading=spreading, depth=depth, gravity=gravity, size=size,
         spacing=size if pixels else spacing, tile=tile, time=float(time), components=components, sharpness=sharpness,
-        turbulence=turbulence, seed=seed, pixels=pixels)
+        turbulence=turbulence, seed=seed, image_pixels=pixels)
     run(algorithm)
     return Map(output_of(algorithm, 1)) if pixels else Surface(output_of(algorithm))
