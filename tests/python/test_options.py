@@ -91,7 +91,7 @@ class Options(unittest.TestCase):
             (swellray.Seafloor.mild_slope, [swellray.vtkSwellMildSlope], {"stations"}),
             (swellray.Seafloor.spectrum, [swellray.vtkSwellSpectralMap],
              {"stations", "spacing", "breaking", "elevation_series", "duration", "interval", "seed"}),
-            (swellray.sea, [swellray.vtkSwellSea], {"pixels"}),
+            (swellray.sea, [swellray.vtkSwellSea], {"pixels", "size"}),
             (swellray.Rays.heights, [swellray.vtkSwellWaveHeight], set()),
             (swellray.Rays.map, [swellray.vtkSwellMap], set()),
             (swellray.Rays.surface, [swellray.vtkSwellSurface], {"foam_life"}),

@@ -43,8 +43,12 @@ def sea(*, direction, hs=None, tp=None, wind=None, fetch=None, shape="jonswap", 
         raise ValueError("spread is that of the spreading 'cosine' or 'normal'")
     algorithm = configure(
         filters.vtkSwellSea(), direction=direction, hs=hs, tp=tp, wind=wind, fetch=fetch, shape=shape, peakedness=peakedness,
-        spread=spread, spreading=spreading, depth=depth, gravity=gravity, size=size,
+        spread=spread, spreading=spreading, depth=depth, gravity=gravity,
         spacing=size if pixels else spacing, tile=tile, time=float(time), components=components, sharpness=sharpness,
         turbulence=turbulence, seed=seed, image_pixels=pixels)
+    try:
+        algorithm.SetSize(size)
+    except TypeError:
+        raise TypeError(f"size cannot be {size!r}") from None
     run(algorithm)
     return Map(output_of(algorithm, 1)) if pixels else Surface(output_of(algorithm))
