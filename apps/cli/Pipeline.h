@@ -38,6 +38,17 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options);
 void setUp(vtkSwellSurface* surface, const SurfaceRequest& options);
 void setUp(vtkSwellFoam* foam, const SurfaceRequest& options);
 
+/** What a trace will take, found by tracing a few of its rays. */
+struct RayPlan
+{
+  double launched = 0.0; ///< rays
+  double rays = 0.0;     ///< with those inserted
+  double points = 0.0;
+  double fronts = 0.0;
+  double bytes = 0.0;   ///< of memory
+  double seconds = 0.0; ///< on the threads in use
+};
+
 /** The filters that one call needs, set up from its request. Each is run by the step that asks for its output. */
 class Pipeline
 {
@@ -58,6 +69,9 @@ public:
 
   /** Trace at this water level from now on, m. */
   void setWaterLevel(double level);
+
+  /** What traceRays() and computeHeights() will take. To be called before them or not at all. @throws WorkError */
+  RayPlan planRays();
 
   /** Trace, without heights. @throws WorkError */
   vtkPolyData* traceRays();
@@ -100,6 +114,7 @@ private:
     vtkNew<vtkSwellWaveHeight> heights;
   };
 
+  void takeLaunch();
   void connectWaves(vtkAlgorithm* filter);
 
   const Request& Asked;

@@ -20,6 +20,7 @@
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSwellSpectralMap.h>
 
@@ -198,17 +199,61 @@ std::vector<SpectrumRecord> recordsOf(vtkSwellSpectralMap* filter, vtkPolyData* 
   return records;
 }
 
+// Some of the places, evenly chosen.
+vtkNew<vtkPolyData> sampleOf(vtkDataSet* places, vtkIdType most)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const vtkIdType count = places->GetNumberOfPoints();
+  const vtkIdType taken = std::min(count, most);
+  for (vtkIdType i = 0; i < taken; ++i)
+  {
+    points->InsertNextPoint(places->GetPoint((2 * i + 1) * count / (2 * taken)));
+  }
+  vtkNew<vtkPolyData> sample;
+  sample->SetPoints(points);
+  return sample;
+}
+
+// What the rays of these places will take, by those of a few of them.
+void planRays(
+  vtkSwellSpectralMap* filter, vtkDataSet* places, const char* what, std::size_t raysAPlace, Console& console)
+{
+  constexpr vtkIdType Sampled = 12;
+  const vtkNew<vtkPolyData> sample = sampleOf(places, Sampled);
+  filter->SetInputData(0, sample);
+  filter->SetTransferFileName(nullptr);
+  const auto begin = std::chrono::steady_clock::now();
+  runFilter(filter, "planning", console);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  vtkDataArray* heights = filter->GetOutput()->GetPointData()->GetArray("SignificantWaveHeight");
+  vtkIdType wet = 0;
+  for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
+  {
+    wet += std::isfinite(heights->GetComponent(i, 0)) ? 1 : 0;
+  }
+  const double share =
+    static_cast<double>(places->GetNumberOfPoints()) / static_cast<double>(sample->GetNumberOfPoints());
+  const double rays = static_cast<double>(wet) * share * static_cast<double>(raysAPlace);
+  constexpr double Gigabyte = 1e9;
+  console.say(fmt::format("plan     about {:.2g} rays from {} {}, some {:.2g} of them in water; {} rays a place", rays,
+    places->GetNumberOfPoints(), what, static_cast<double>(wet) * share, raysAPlace));
+  console.say(
+    fmt::format("cost     about {:.2g} s, and {:.2g} GB of memory where the rays are kept (--transfer, --series)",
+      share * seconds.count(), rays * sizeof(double) * 2 / Gigabyte));
+}
+
 void runSpectrum(const Request& request, Console& console)
 {
   std::vector<std::string> inputs = inputFiles(request);
   std::vector<std::unique_ptr<OutputFile>> files;
   const auto open = [&](const std::string& path)
   {
-    if (!path.empty())
+    if (!path.empty() && !request.planOnly)
     {
       files.push_back(std::make_unique<OutputFile>(path, inputs));
     }
-    return path.empty() ? nullptr : files.back().get();
+    return path.empty() || request.planOnly ? nullptr : files.back().get();
   };
   const OutputFile* const mapFile = open(request.output.map);
   const OutputFile* const tableFile = open(request.output.table);
@@ -236,6 +281,19 @@ void runSpectrum(const Request& request, Console& console)
     setUp(filter, *series, request);
   }
   filter->SetInputData(1, seafloor);
+  if (request.planOnly)
+  {
+    if (stations)
+    {
+      planRays(filter, stations->places(scene), "stations", raysAPlace, console);
+    }
+    if (!request.output.map.empty())
+    {
+      const vtkNew<vtkImageData> nodes = mapNodes(seafloor, request, console);
+      planRays(filter, nodes, "nodes", raysAPlace, console);
+    }
+    return;
+  }
   bool said = false;
   const auto run = [&](vtkDataSet* places, const char* task)
   {
@@ -417,6 +475,7 @@ CommandSpec spectrumSpec(Request& request)
       { ".sp2", ".nc" }),
     number("--map-spacing", "M", "distance of the nodes of the map, m", "2,500 nodes", "Output", request.map.spacing,
       PositiveMetres),
+    flag("--dry-run", "only say what the work will take", "Output", request.planOnly),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress) };
   add(spec.options, elevationOptions(request));
   add(spec.options, seaOptions(sea));

@@ -198,9 +198,9 @@ void checkTrace(Request& request)
   checkMildSlope(request);
   checkEarth(request);
   checkStart(request);
-  if (request.planOnly && !request.mildSlope.wanted)
+  if (request.planOnly && (request.start.site || !request.map.waterLevels.empty() || !request.variation.empty()))
   {
-    throw UsageError("--dry-run belongs to --method mild-slope");
+    throw UsageError("--dry-run plans one trace; leave out --from-site, --water-levels and lists of values");
   }
   const OutputRequest& output = request.output;
   checkOutputs(output);
@@ -237,6 +237,17 @@ void checkTrace(Request& request)
   }
 }
 
+void sayPlan(const RayPlan& plan, const Console& console)
+{
+  constexpr double Gigabyte = 1e9;
+  console.say(
+    fmt::format("plan     {:.3g} rays launched, about {:.2g} with those inserted; about {:.2g} points on {:.3g} "
+                "fronts",
+      plan.launched, std::max(plan.launched, plan.rays), plan.points, plan.fronts));
+  console.say(fmt::format(
+    "cost     about {:.2g} GB of memory and {:.2g} s, beside maps and files", plan.bytes / Gigabyte, plan.seconds));
+}
+
 void runTrace(const Request& request, Console& console)
 {
   if (!request.map.waterLevels.empty())
@@ -252,6 +263,13 @@ void runTrace(const Request& request, Console& console)
   if (request.mildSlope.wanted)
   {
     runMildSlope(request, console);
+    return;
+  }
+  if (request.planOnly)
+  {
+    Pipeline pipeline(request, console);
+    pipeline.readSeafloor();
+    sayPlan(pipeline.planRays(), console);
     return;
   }
   // Every file is opened, and the stations are read, before the work that they wait for.
@@ -372,6 +390,7 @@ CommandSpec traceSpec(Request& request)
     "  swellray trace pacific.nc --earth ellipsoid --period 16 --from-storm 170,-50 --height 2 -o rays.vtp\n"
     "  swellray trace harbour.tif --period 8,12,16 --direction 200:260:10 --height 2 --stations buoys.csv --table "
     "waves.csv\n"
+    "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --spacing 10 --dry-run\n"
     "  swellray trace harbour.tif --period 14 --direction 135 --height 2 --launch offshore.geojson -o rays.vtp\n"
     "  swellray trace harbour.tif --period 14 --from-site 512300,6121400 --directions 180 -o ways.vtp\n"
     "  swellray trace babbage --period 10 --direction 270 --height 1 --spacing 5 -o rays.vtp\n"
