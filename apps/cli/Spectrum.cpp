@@ -374,6 +374,10 @@ void checkSpectrum(Request& request)
   const SpectrumRequest& sea = request.spectrum;
   const OutputRequest& output = request.output;
   checkOutputs(output);
+  if (request.planOnly && !request.variation.empty())
+  {
+    throw UsageError("--dry-run plans one sea; leave out lists of values");
+  }
   const bool atStations = !(output.table.empty() && output.spectra.empty() && output.elevations.empty());
   if (output.map.empty() && !atStations)
   {
