@@ -13,7 +13,7 @@ ELSEWHERE = {
     "trace": {"output", "crests", "breaker_line", "map", "stations", "table", "water_levels", "compress", "points",
               "map_spacing", "combine", "method", "dispersion", "node_spacing", "min_depth", "coast_reflection",
               "side_walls", "max_memory", "dry_run", "from_site", "directions"},
-    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series"},
+    "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series", "dry_run"},
     "sea": {"output", "height_map", "normal_map", "picture", "picture_size", "compress", "times", "eye", "look"},
     "contour": {"output", "compress", "points"},
     "surface": {"output", "compress", "times", "spray", "foam", "at", "table", "component"},
