@@ -18,7 +18,7 @@ struct HumpLayout
   double width = 0.0; ///< m
   double half = 0.0;  ///< m, half a wavelength
 
-  /** @param width wanted, m: kept within the wavelength */
+  /** @param wanted width, m: kept within the wavelength */
   HumpLayout(double wanted, double wavenumber)
     : half(Pi / wavenumber)
   {
