@@ -21,6 +21,7 @@ void Console::say(const std::string& line) const
 {
   if (!this->Quiet)
   {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
     std::printf("%s\n", line.c_str());
     std::fflush(stdout);
   }
@@ -28,11 +29,12 @@ void Console::say(const std::string& line) const
 
 void Console::warn(const std::string& line)
 {
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   if (!this->Warned.insert(line).second)
   {
     return;
   }
-  this->endProgress();
+  this->wipe();
   std::fprintf(stderr, "swellray: warning: %s\n", line.c_str());
 }
 
@@ -42,6 +44,7 @@ void Console::progress(const std::string& task, double share)
   {
     return;
   }
+  const std::lock_guard<std::mutex> lock(this->Mutex);
   constexpr int Width = 40;
   const double known = std::clamp(share, 0.0, 1.0);
   const int full = static_cast<int>(std::lround(known * Width));
@@ -57,6 +60,12 @@ void Console::progress(const std::string& task, double share)
 }
 
 void Console::endProgress()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->wipe();
+}
+
+void Console::wipe()
 {
   if (!this->Shown.empty())
   {

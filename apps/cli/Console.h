@@ -1,12 +1,13 @@
 #pragma once
 
+#include <mutex>
 #include <set>
 #include <string>
 
 namespace swellray::cli
 {
 
-/** What the program says: results on stdout, warnings and progress on stderr. */
+/** What the program says: results on stdout, warnings and progress on stderr; from any thread. */
 class Console
 {
 public:
@@ -25,10 +26,13 @@ public:
   void endProgress();
 
 private:
+  void wipe();
+
   bool Quiet;
   bool Bar;
   std::string Shown;
   std::set<std::string> Warned;
+  mutable std::mutex Mutex;
 };
 
 }

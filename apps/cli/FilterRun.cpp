@@ -11,6 +11,7 @@
 #include <vtkOutputWindow.h>
 
 #include <algorithm>
+#include <mutex>
 
 namespace swellray::cli
 {
@@ -26,11 +27,20 @@ public:
   vtkTypeMacro(SilentWindow, vtkOutputWindow)
   void DisplayText(const char* text) override
   {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
     if (this->First.empty())
     {
       this->First = text;
     }
   }
+  std::string words()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return this->First;
+  }
+
+private:
+  std::mutex Mutex;
   std::string First;
 };
 vtkStandardNewMacro(SilentWindow);
@@ -105,7 +115,7 @@ void runFilter(vtkAlgorithm* filter, const std::string& task, Console& console)
   if (!done)
   {
     auto* window = SilentWindow::SafeDownCast(vtkOutputWindow::GetInstance());
-    throw WorkError(task + " failed: " + (window ? wordsOf(window->First) : std::string()));
+    throw WorkError(task + " failed: " + (window ? wordsOf(window->words()) : std::string()));
   }
 }
 

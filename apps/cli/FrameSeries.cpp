@@ -10,11 +10,17 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkSMPTools.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <mutex>
+#include <thread>
 
 namespace swellray::cli
 {
@@ -65,6 +71,58 @@ void writeSeriesFile(const OutputFile& file, const std::vector<std::pair<double,
   }
 }
 
+// A frame that is to be made.
+struct FrameWork
+{
+  FrameSeries* series = nullptr;
+  std::string file;
+  double time = 0.0;
+  bool first = false; // of its series
+};
+
+// Let workers do work(i, worker) for all i below n, each in the order of i. Of what they throw the first, by i, comes out.
+void shareOut(std::size_t n, std::size_t workers, const std::function<void(std::size_t, std::size_t)>& work)
+{
+  std::atomic<std::size_t> next{ 0 };
+  std::mutex mutex;
+  std::exception_ptr failure;
+  std::size_t failedAt = n;
+  const auto run = [&](std::size_t worker)
+  {
+    for (std::size_t i = next++; i < n; i = next++)
+    {
+      try
+      {
+        work(i, worker);
+      }
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (i < failedAt)
+        {
+          failure = std::current_exception();
+          failedAt = i;
+        }
+        next = n;
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (std::size_t worker = 1; worker < std::min(workers, n); ++worker)
+  {
+    threads.emplace_back(run, worker);
+  }
+  run(0);
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+}
+
 }
 
 bool isSeries(const std::string& file)
@@ -83,8 +141,16 @@ void writeFrame(vtkDataSet* data, const OutputFile& file, const Request& request
   writeXml(writer, data, file, request, console);
 }
 
+std::size_t frameWorkers(std::size_t frames)
+{
+  // Each holds a frame and its scratch.
+  constexpr std::size_t most = 8;
+  return std::clamp<std::size_t>(
+    std::min(frames, static_cast<std::size_t>(vtkSMPTools::GetEstimatedNumberOfThreads())), 1, most);
+}
+
 void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const Request& request, Console& console,
-  const std::function<void(vtkDataSet*)>& said)
+  std::size_t workers, const std::function<void(vtkDataSet*)>& said)
 {
   for (const FrameSeries& series : all)
   {
@@ -97,7 +163,7 @@ void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const R
   }
   const std::size_t count = times.count();
   std::size_t kept = 0;
-  std::size_t made = 0;
+  std::vector<FrameWork> work;
   const auto start = std::chrono::steady_clock::now();
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -110,19 +176,39 @@ void writeFrames(std::vector<FrameSeries>& all, const TimeSeries& times, const R
       if (isKept(folderOf(series) / name, time, request, console))
       {
         ++kept;
-        continue;
       }
-      vtkDataSet* data = series.make(time);
-      OutputFile frame((folderOf(series) / name).string(), {});
-      writeFrame(data, frame, request, console);
-      frame.commit();
-      if (made++ == 0)
+      else
       {
-        said(data);
+        const bool first =
+          std::none_of(work.begin(), work.end(), [&](const FrameWork& frame) { return frame.series == &series; });
+        work.push_back({ &series, (folderOf(series) / name).string(), time, first });
       }
     }
-    console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
   }
+  std::mutex mutex;
+  std::size_t made = 0;
+  const auto make = [&](std::size_t i, std::size_t worker)
+  {
+    vtkDataSet* data = work[i].series->make(worker, work[i].time);
+    OutputFile frame(work[i].file, {});
+    writeFrame(data, frame, request, console);
+    frame.commit();
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (i == 0)
+    {
+      said(data);
+    }
+    console.progress("frames", static_cast<double>(kept + ++made) / static_cast<double>(count * all.size()));
+  };
+  // Frames share arrays that do not move, and writing finds their ranges; so the first of each series is written alone.
+  const auto others =
+    std::stable_partition(work.begin(), work.end(), [](const FrameWork& frame) { return frame.first; });
+  const auto alone = static_cast<std::size_t>(others - work.begin());
+  for (std::size_t i = 0; i < alone; ++i)
+  {
+    make(i, 0);
+  }
+  shareOut(work.size() - alone, workers, [&](std::size_t i, std::size_t worker) { make(alone + i, worker); });
   console.endProgress();
   for (const FrameSeries& series : all)
   {

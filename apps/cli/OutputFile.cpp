@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <mutex>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -25,7 +26,8 @@ struct Unfinished
   std::atomic<bool> used{ false };
   char path[4096] = {};
 };
-std::array<Unfinished, 8> unfinished;
+std::array<Unfinished, 32> unfinished;
+std::mutex remembering;
 
 void removeUnfinished(int signal)
 {
@@ -42,6 +44,7 @@ void removeUnfinished(int signal)
 
 int remember(const std::string& path)
 {
+  const std::lock_guard<std::mutex> lock(remembering);
   for (std::size_t i = 0; i < unfinished.size(); ++i)
   {
     if (!unfinished[i].used && path.size() < sizeof unfinished[i].path)

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <vtkAlgorithmOutput.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkPolyData.h>
@@ -430,23 +431,59 @@ vtkPolyData* Pipeline::makeBreakerLines()
   return this->Breakers->GetOutput();
 }
 
+std::vector<vtkAlgorithmOutput*> Pipeline::wavePorts() const
+{
+  std::vector<vtkAlgorithmOutput*> ports;
+  if (this->Shared.empty())
+  {
+    ports.push_back(this->Heights->GetOutputPort());
+    for (const auto& component : this->Components)
+    {
+      ports.push_back(component->heights->GetOutputPort());
+    }
+  }
+  for (std::size_t i = 1; i < this->Shared.size(); ++i)
+  {
+    ports.push_back(this->Shared[i]->GetOutputPort());
+  }
+  return ports;
+}
+
+vtkAlgorithmOutput* Pipeline::seafloorPort() const
+{
+  return this->Shared.empty() ? this->Reader->GetOutputPort() : this->Shared.front()->GetOutputPort();
+}
+
+void Pipeline::shareWaves(const Pipeline& other)
+{
+  std::vector<vtkAlgorithmOutput*> ports = other.wavePorts();
+  ports.insert(ports.begin(), other.seafloorPort());
+  for (vtkAlgorithmOutput* port : ports)
+  {
+    auto producer = vtkSmartPointer<vtkTrivialProducer>::New();
+    producer->SetOutput(port->GetProducer()->GetOutputDataObject(port->GetIndex()));
+    // What this writes to the data is written before they have several readers.
+    producer->Update();
+    this->Shared.push_back(producer);
+  }
+}
+
 void Pipeline::connectWaves(vtkAlgorithm* filter)
 {
   if (filter->GetNumberOfInputConnections(0) > 0)
   {
     return;
   }
-  filter->SetInputConnection(0, this->Heights->GetOutputPort());
-  for (const auto& component : this->Components)
+  for (vtkAlgorithmOutput* port : this->wavePorts())
   {
-    filter->AddInputConnection(0, component->heights->GetOutputPort());
+    filter->AddInputConnection(0, port);
   }
 }
 
 vtkPolyData* Pipeline::makeSurface(double time)
 {
   this->connectWaves(this->Surface);
-  this->Surface->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Surface->SetSeafloorConnection(this->seafloorPort());
   this->Surface->SetTime(time);
   runFilter(this->Surface, "surface", this->Screen);
   this->Foam->SetInputConnection(this->Surface->GetOutputPort());
@@ -467,7 +504,7 @@ void Pipeline::seeBy(const scene::SceneCamera& camera, const std::array<int, 2>&
 vtkPolyData* Pipeline::makeSeenSurface(double time)
 {
   this->connectWaves(this->Seen);
-  this->Seen->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Seen->SetSeafloorConnection(this->seafloorPort());
   this->Seen->SetTime(time);
   runFilter(this->Seen, "surface", this->Screen);
   return this->Seen->GetOutput();
@@ -476,7 +513,7 @@ vtkPolyData* Pipeline::makeSeenSurface(double time)
 vtkImageData* Pipeline::makeFoamMap(double time)
 {
   this->connectWaves(this->FoamMap);
-  this->FoamMap->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->FoamMap->SetSeafloorConnection(this->seafloorPort());
   this->FoamMap->SetTime(time);
   runFilter(this->FoamMap, "foam", this->Screen);
   return this->FoamMap->GetOutput();
@@ -490,8 +527,8 @@ void Pipeline::setPointsPerWave(double points)
 
 vtkPolyData* Pipeline::makeSpray(double time)
 {
-  this->Spray->SetInputConnection(0, this->Heights->GetOutputPort());
-  this->Spray->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Spray->SetInputConnection(0, this->wavePorts().front());
+  this->Spray->SetSeafloorConnection(this->seafloorPort());
   this->Spray->SetTime(time);
   runFilter(this->Spray, "spray", this->Screen);
   return this->Spray->GetOutput();
@@ -500,7 +537,7 @@ vtkPolyData* Pipeline::makeSpray(double time)
 vtkPolyData* Pipeline::probeSurface(vtkPolyData* points)
 {
   this->connectWaves(this->Probe);
-  this->Probe->SetSeafloorConnection(this->Reader->GetOutputPort());
+  this->Probe->SetSeafloorConnection(this->seafloorPort());
   this->Probe->SetInputData(2, points);
   runFilter(this->Probe, "surface", this->Screen);
   return this->Probe->GetOutput();

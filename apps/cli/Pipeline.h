@@ -18,11 +18,13 @@
 #include <vtkSwellSurface.h>
 #include <vtkSwellSurfaceProbe.h>
 #include <vtkSwellWaveHeight.h>
+#include <vtkTrivialProducer.h>
 
 #include <memory>
 #include <vector>
 
 class vtkAlgorithm;
+class vtkAlgorithmOutput;
 class vtkDataObject;
 class vtkDataSet;
 class vtkImageData;
@@ -85,6 +87,9 @@ public:
   /** Lines where the waves of the rays that were traced begin to break. @throws WorkError */
   vtkPolyData* makeBreakerLines();
 
+  /** Make surface, foam and spray of another's waves, whose heights there are; on a thread of its own where wanted. */
+  void shareWaves(const Pipeline& other);
+
   /** Breaking-wave surface with foam over the rays that were traced, at a time, s. @throws WorkError */
   vtkPolyData* makeSurface(double time);
 
@@ -115,6 +120,8 @@ private:
   };
 
   void takeLaunch();
+  std::vector<vtkAlgorithmOutput*> wavePorts() const;
+  vtkAlgorithmOutput* seafloorPort() const;
   void connectWaves(vtkAlgorithm* filter);
 
   const Request& Asked;
@@ -132,6 +139,7 @@ private:
   vtkNew<vtkSwellSpray> Spray;
   vtkNew<vtkSwellSurfaceProbe> Probe;
   std::vector<std::unique_ptr<Component>> Components;
+  std::vector<vtkSmartPointer<vtkTrivialProducer>> Shared; // seafloor and waves of another; empty: they are its own
 };
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */

@@ -137,14 +137,14 @@ void runSea(const Request& request, Console& console)
   setUp(sea, request);
   if (patch.times)
   {
-    const auto make = [&](double time)
+    const auto make = [&](std::size_t, double time)
     {
       sea->SetTime(time);
       runFilter(sea, "sea", console);
       return sea->GetOutput();
     };
     std::vector<FrameSeries> series{ { mesh, make } };
-    writeFrames(series, *patch.times, request, console,
+    writeFrames(series, *patch.times, request, console, 1,
       [&](vtkDataSet* made) { saySea(vtkPolyData::SafeDownCast(made), console); });
   }
   else

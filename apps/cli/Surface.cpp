@@ -195,27 +195,38 @@ void runSurface(const Request& request, Console& console)
     }
   };
   const bool seen = request.render.sceneOnly;
-  if (seen)
+  const std::size_t workers = surface.times ? frameWorkers(surface.times->count()) : 1;
+  std::vector<std::unique_ptr<Pipeline>> others;
+  for (std::size_t i = 1; i < workers; ++i)
   {
-    pipeline.seeBy(cameraOf(request, seafloor), request.render.size.value_or(StandardPicture),
+    others.push_back(std::make_unique<Pipeline>(request, console));
+    others.back()->shareWaves(pipeline);
+  }
+  const auto by = [&](std::size_t worker) -> Pipeline& { return worker == 0 ? pipeline : *others[worker - 1]; };
+  for (std::size_t i = 0; seen && i < workers; ++i)
+  {
+    by(i).seeBy(cameraOf(request, seafloor), request.render.size.value_or(StandardPicture),
       surface.pixelStep.value_or(StandardStep));
   }
   add(
     surfaceFile, ".vtp",
-    [&](double time) { return seen ? pipeline.makeSeenSurface(time) : pipeline.makeSurface(time); }, saySurface);
+    [&](std::size_t worker, double time)
+    { return seen ? by(worker).makeSeenSurface(time) : by(worker).makeSurface(time); },
+    saySurface);
   add(
-    sprayFile, ".vtp", [&](double time) { return pipeline.makeSpray(time); }, saySpray);
+    sprayFile, ".vtp", [&](std::size_t worker, double time) { return by(worker).makeSpray(time); }, saySpray);
   add(
-    foamFile, ".vti", [&](double time) { return pipeline.makeFoamMap(time); }, sayFoam);
+    foamFile, ".vti", [&](std::size_t worker, double time) { return by(worker).makeFoamMap(time); }, sayFoam);
   if (surface.times && !series.empty())
   {
-    writeFrames(series, *surface.times, request, console, [&](vtkDataSet* data) { saying.front()(data, console); });
+    writeFrames(
+      series, *surface.times, request, console, workers, [&](vtkDataSet* data) { saying.front()(data, console); });
   }
   else
   {
     for (std::size_t i = 0; i < series.size(); ++i)
     {
-      vtkDataSet* data = series[i].make(surface.time.value_or(0.0));
+      vtkDataSet* data = series[i].make(0, surface.time.value_or(0.0));
       saying[i](data, console);
       writeFrame(data, *series[i].file, request, console);
     }

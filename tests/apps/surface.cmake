@@ -14,6 +14,9 @@ swellray_cli_test(surface_points 2 "" "--points-per-wave" "${surface} --points-p
 swellray_cli_test(list_sections 0 "gerstner.*gonzato-lesaec.*vortex" "" "$SWELLRAY list")
 swellray_cli_test(surface_series 0 "^3\n3\n$" "warning: the seafloor grid|^$"
   "${surface} --times 0:1:0.5 -o s.pvd && grep -c DataSet s.pvd && ls s | wc -l")
+# Its frames are made at the same time, and are the same whatever the threads: but for their number in the command line.
+swellray_cli_test(surface_series_threads 0 "^15 1\n$" "warning: the seafloor grid|^$"
+  "run() { $SWELLRAY surface $IN/beach.asc ${wave} --quiet --group-waves 4 --times 0:1:0.25 -o s.pvd --spray p.pvd --foam f.pvd --threads $1 && mkdir r$1 && mv s p f r$1; }; run 1 && run 2 && for f in r1/*/*; do cmp -l $f r2\${f#r1} | wc -l; done | sort | uniq -c | sed 's/^ *//'")
 # A series goes on where it was: whole frames stay, a damaged one is made again, and so is one of another call.
 swellray_cli_test(surface_resumes 0 "2 kept.*0 kept" "warning: the seafloor grid|^$"
   "run() { $SWELLRAY surface $IN/beach.asc ${wave} --times 0:1:0.5 -o s.pvd \"$@\" | grep frames; } && run >/dev/null && head -c 500 s/s_000001.vtp > t && mv t s/s_000001.vtp && run && run --seed 2")
