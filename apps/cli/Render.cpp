@@ -95,8 +95,8 @@ void checkScene(Request& request)
     if (render.sceneOnly || request.surface.sprayRate || render.time || render.times || movie ||
       isNumbered(request.output.file))
     {
-      throw UsageError(
-        "--camera, --sun, --spray-rate, --time, --times, a movie (.ogv) and numbered pictures need --style scene");
+      throw UsageError("--camera, --sun, --detail, --spray-rate, --time, --times, a movie (.ogv) and numbered pictures "
+                       "need --style scene");
     }
     return;
   }
@@ -311,6 +311,22 @@ void runRender(const Request& request, Console& console)
   console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), layout.width, layout.height));
 }
 
+OptionSpec detailOption(RenderRequest& render)
+{
+  OptionSpec spec =
+    choice("--detail", "how finely the water is drawn: by the sheets between rays, or where pixels see it",
+      "waves; screen where there are too many", "Scene", render.detail,
+      std::vector<std::pair<std::string, SceneDetail>>{
+        { "auto", SceneDetail::Auto }, { "waves", SceneDetail::Waves }, { "screen", SceneDetail::Screen } });
+  const auto setDetail = spec.set;
+  spec.set = [setDetail, &render](const std::string& typed)
+  {
+    render.sceneOnly = true;
+    setDetail(typed);
+  };
+  return spec;
+}
+
 }
 
 CommandSpec renderSpec(Request& request)
@@ -349,7 +365,7 @@ CommandSpec renderSpec(Request& request)
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
   OptionSpec time = number("--time", "S", "time of a scene, s", "0", "Scene", render.time, { "seconds" });
   add(spec.options,
-    { cameraOption(render), sunOption(render), time, timesOption(render.times, "Scene"),
+    { cameraOption(render), sunOption(render), detailOption(render), time, timesOption(render.times, "Scene"),
       number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "100",
         "Scene", request.surface.sprayRate, { "", 0.0, 1e6 }) });
   add(spec.options, contourOptions(request.contour));

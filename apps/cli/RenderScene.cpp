@@ -39,6 +39,9 @@ constexpr double SunElevation = 32.0;
 // The sheet of waves has some more points than the rays; this many take some gigabytes.
 constexpr vtkIdType MostRayPoints = 4000000;
 
+// Samples of the water where the camera takes them, pixels apart.
+constexpr int PixelsPerSample = 2;
+
 constexpr int FastestMovie = 60; // frames a second
 
 }
@@ -129,13 +132,34 @@ scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
   return content;
 }
 
-vtkSmartPointer<vtkImageData> drawAt(scene::ScenePicture& picture, Pipeline& pipeline, double time)
+// Draws the water by its sheets, or as the camera of the scene sees it.
+class SceneFrames
 {
-  return picture.draw(pipeline.makeSurface(time), time, pipeline.makeSpray(time));
-}
+public:
+  SceneFrames(Pipeline& pipeline, const scene::SceneContent& content, bool bySheets)
+    : Source(pipeline)
+    , BySheets(bySheets)
+    , Picture(content)
+  {
+    pipeline.seeBy(content.camera, { content.width, content.height }, PixelsPerSample);
+  }
+
+  vtkSmartPointer<vtkImageData> draw(double time)
+  {
+    vtkPolyData* surface = this->BySheets ? this->Source.makeSurface(time) : this->Source.makeSeenSurface(time);
+    return this->Picture.draw(surface, time, this->Source.makeSpray(time));
+  }
+
+private:
+  Pipeline& Source;
+  const bool BySheets;
+  const drawing::VirtualDisplay Display;
+  scene::ScenePicture Picture;
+};
 
 // Pictures of the very same call that are there are kept.
-void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneContent& content, Console& console)
+void drawSeries(
+  const Request& request, Pipeline& pipeline, const scene::SceneContent& content, bool bySheets, Console& console)
 {
   const std::string& name = request.output.file;
   const fs::path folder = fs::path(name).parent_path();
@@ -144,8 +168,7 @@ void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneCo
   {
     throw WorkError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
   }
-  const drawing::VirtualDisplay display;
-  scene::ScenePicture picture(content);
+  SceneFrames frames(pipeline, content, bySheets);
   const TimeSeries& times = *request.render.times;
   const std::size_t count = times.count();
   std::size_t kept = 0;
@@ -160,7 +183,7 @@ void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneCo
     else
     {
       OutputFile file(path, inputFiles(request));
-      writePicture(drawAt(picture, pipeline, origin.time), origin, file);
+      writePicture(frames.draw(origin.time), origin, file);
       file.commit();
     }
     console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
@@ -170,16 +193,15 @@ void drawSeries(const Request& request, Pipeline& pipeline, const scene::SceneCo
     numberedName(name, count - 1), count - kept, kept, content.width, content.height));
 }
 
-void drawScene(
-  const Request& request, Pipeline& pipeline, const scene::SceneContent& content, Console& console, OutputFile& file)
+void drawScene(const Request& request, Pipeline& pipeline, const scene::SceneContent& content, bool bySheets,
+  Console& console, OutputFile& file)
 {
   const RenderRequest& render = request.render;
-  const drawing::VirtualDisplay display;
-  scene::ScenePicture picture(content);
+  SceneFrames frames(pipeline, content, bySheets);
   if (!render.times)
   {
     const double time = render.time.value_or(0.0);
-    writePicture(drawAt(picture, pipeline, time), { request.commandLine, time }, file);
+    writePicture(frames.draw(time), { request.commandLine, time }, file);
     file.commit();
     console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), content.width, content.height));
     return;
@@ -189,7 +211,7 @@ void drawScene(
   for (std::size_t i = 0; i < count; ++i)
   {
     const double time = render.times->at(i);
-    movie.add(drawAt(picture, pipeline, time));
+    movie.add(frames.draw(time));
     console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
   }
   console.endProgress();
@@ -222,18 +244,21 @@ void renderScene(const Request& request, const std::string& title, Console& cons
   Pipeline pipeline(request, console);
   pipeline.readSeafloor();
   pipeline.traceRays();
-  if (pipeline.computeHeights()->GetNumberOfPoints() > MostRayPoints)
+  const bool many = pipeline.computeHeights()->GetNumberOfPoints() > MostRayPoints;
+  const SceneDetail detail = request.render.detail;
+  if (many && (detail == SceneDetail::Waves || !request.output.scene.empty()))
   {
     throw WorkError("the scene has too many waves to be drawn one by one; take a part of the seafloor with --crop");
   }
+  const bool bySheets = detail == SceneDetail::Waves || (detail == SceneDetail::Auto && !many);
   const scene::SceneContent content = contentOf(request, pipeline);
   if (file)
   {
-    drawScene(request, pipeline, content, console, *file);
+    drawScene(request, pipeline, content, bySheets, console, *file);
   }
   if (series)
   {
-    drawSeries(request, pipeline, content, console);
+    drawSeries(request, pipeline, content, bySheets, console);
   }
   if (sceneFile)
   {

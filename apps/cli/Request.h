@@ -141,14 +141,22 @@ struct TimeSeries
   double at(std::size_t i) const { return this->first + static_cast<double>(i) * this->step; }
 };
 
+/** How finely the water of a scene is drawn. */
+enum class SceneDetail
+{
+  Auto,   ///< as Waves, or as Screen where rays have more points than can be drawn
+  Waves,  ///< by the sheets between the rays
+  Screen, ///< where pixels see it
+};
+
 /** Look of the picture. */
 struct RenderRequest
 {
-  std::string rays;   ///< file to draw; empty: none
-  std::string crests; ///< file to draw, or CrestsFromRays; empty: none
-  std::string map;     ///< file whose field is drawn in place of the depths; empty: none
-  std::string mapBy;   ///< its array; empty: the wave height
-  std::string colorBy; ///< of the rays; empty: the wave height, or none over a map
+  std::string rays;         ///< file to draw; empty: none
+  std::string crests;       ///< file to draw, or CrestsFromRays; empty: none
+  std::string map;          ///< file whose field is drawn in place of the depths; empty: none
+  std::string mapBy;        ///< its array; empty: the wave height
+  std::string colorBy;      ///< of the rays; empty: the wave height, or none over a map
   std::size_t colorMap = 0; ///< of drawing::quantityMaps()
   ChartFrame frame = ChartFrame::Auto;
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
@@ -159,7 +167,8 @@ struct RenderRequest
   std::optional<std::array<double, 2>> sun;         ///< azimuth, nautical, and elevation, degrees
   std::optional<double> time;                       ///< s
   std::optional<TimeSeries> times;                  ///< frames of a movie
-  bool sceneOnly = false;                           ///< an option of scenes was given
+  SceneDetail detail = SceneDetail::Auto;
+  bool sceneOnly = false; ///< an option of scenes was given
 };
 
 /** The interactive window. */
@@ -260,7 +269,7 @@ struct OutputRequest
   std::string crests;
   std::string breakerLine;
   std::string spray;
-  std::string foam; ///< on a grid
+  std::string foam;  ///< on a grid
   std::string scene; ///< for others to draw
   std::string map;
   std::string table;      ///< waves at the stations

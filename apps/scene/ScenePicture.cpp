@@ -36,7 +36,9 @@ namespace
 constexpr int Oversampling = 2;
 constexpr int LargestOversampled = 4000;
 
-constexpr vtkIdType MostReliefNodes = 1000000;
+// Nodes of the seafloor are not closer than pixels where it is nearest to the eye.
+constexpr double MostReliefNodes = 1000000;
+constexpr double LeastReliefNodes = 40000;
 
 // How far the open sea goes on beyond the scene: to the horizon of somebody on a high shore, and over many scenes.
 constexpr double LeastHorizon = 12000.0; // m
@@ -91,7 +93,7 @@ ScenePicture::ScenePicture(const SceneContent& content)
   const Values onWater{ { "sunSeen", "SunSeen" }, { "foam", "Foam" }, { "bedDepth", "Depth" } };
   const Values ofSpray{ { "opacity", "Opacity" }, { "across", "Across" }, { "along", "Along" } };
   this->addPart(this->Sky, this->SkyMapper, dome->GetOutput(), {}, skyCode());
-  const vtkSmartPointer<vtkPolyData> land = drawing::reliefOf(content.seafloor, MostReliefNodes);
+  const vtkSmartPointer<vtkPolyData> land = drawing::reliefOf(content.seafloor, this->reliefNodes());
   this->Shade.addTo(land);
   this->addPart(this->Land, this->LandMapper, land, onLand, landCode());
   this->addPart(this->OpenSea, this->OpenSeaMapper, this->openSea(), onWater, waterCode());
@@ -169,6 +171,25 @@ void ScenePicture::setUniforms(vtkActor* actor, double time)
   setUniform(uniforms, "rippleLength", std::min(LongestRipple, RippleShare * this->Content.wavelength));
   setUniform(uniforms, "foamSize", std::min(LargestFoam, FoamShare * this->Content.wavelength));
   setUniform(uniforms, "haze", Visibility);
+}
+
+vtkIdType ScenePicture::reliefNodes() const
+{
+  double bounds[6];
+  this->Content.seafloor->GetBounds(bounds);
+  double range[2];
+  this->Content.seafloor->GetPointData()->GetArray("Elevation")->GetFiniteRange(range, 0);
+  const double box[3][2] = { { bounds[0], bounds[1] }, { bounds[2], bounds[3] }, { range[0], range[1] } };
+  double square = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const double beside = this->Content.camera.eye[i] - std::clamp(this->Content.camera.eye[i], box[i][0], box[i][1]);
+    square += beside * beside;
+  }
+  const double pixel = std::sqrt(square) * radians(this->Content.camera.angle) / this->Content.height;
+  const double area = (bounds[1] - bounds[0]) * (bounds[3] - bounds[2]);
+  return static_cast<vtkIdType>(
+    pixel > 0.0 ? std::clamp(area / (pixel * pixel), LeastReliefNodes, MostReliefNodes) : MostReliefNodes);
 }
 
 vtkSmartPointer<vtkPolyData> ScenePicture::openSea() const

@@ -63,6 +63,7 @@ private:
     vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, const Values& values, const std::string& code);
   void setUniforms(vtkActor* actor, double time);
   vtkSmartPointer<vtkPolyData> openSea() const;
+  vtkIdType reliefNodes() const;
 
   SceneContent Content;
   SunShade Shade;

@@ -102,21 +102,33 @@ class Baselines : public testing::TestWithParam<Baseline>
 {
 };
 
-TEST_P(Baselines, AreWhatIsDrawn)
+// Why nothing can be drawn; empty where it can.
+std::string hindrance()
 {
   if (std::getenv("ASAN_OPTIONS") || std::getenv("TSAN_OPTIONS"))
   {
-    GTEST_SKIP() << "sanitizers see into the software driver of OpenGL";
+    return "sanitizers see into the software driver of OpenGL";
   }
   const char* display = std::getenv("DISPLAY");
-  if (!(display && *display) && std::system("command -v Xvfb > /dev/null 2>&1") != 0)
+  const bool canDraw = (display && *display) || std::system("command -v Xvfb > /dev/null 2>&1") == 0;
+  return canDraw ? "" : "neither a display nor Xvfb to draw with";
+}
+
+std::string pathOf(const char* name)
+{
+  return std::string(SWELLRAY_SOURCE_DIR) + "/tests/baselines/" + name + ".png";
+}
+
+TEST_P(Baselines, AreWhatIsDrawn)
+{
+  if (!hindrance().empty())
   {
-    GTEST_SKIP() << "neither a display nor Xvfb to draw with";
+    GTEST_SKIP() << hindrance();
   }
   const Baseline& baseline = this->GetParam();
   const ScratchFolder folder(std::string("baseline-") + baseline.name);
   const std::string picture = folder / "picture.png";
-  const std::string kept = std::string(SWELLRAY_SOURCE_DIR) + "/tests/baselines/" + baseline.name + ".png";
+  const std::string kept = pathOf(baseline.name);
   ASSERT_EQ(runSwellray(std::string(baseline.call) + " -o " + picture), 0);
   const auto drawn = squaresOf(picture);
   if (std::getenv("SWELLRAY_UPDATE_BASELINES"))
@@ -151,5 +163,19 @@ constexpr Baseline Kept[] = {
 
 INSTANTIATE_TEST_SUITE_P(
   Pictures, Baselines, testing::ValuesIn(Kept), [](const auto& each) { return each.param.name; });
+
+TEST(Baselines, ShowTheSameWaterSampledByTheScreen)
+{
+  if (!hindrance().empty())
+  {
+    GTEST_SKIP() << hindrance();
+  }
+  // Edges of the sea and of foam are where samples are, 2 pixels apart; half a period later there are 6 levels.
+  constexpr double SampledMean = 2.5;
+  const ScratchFolder folder("screen");
+  const std::string picture = folder / "picture.png";
+  ASSERT_EQ(runSwellray(std::string(Kept[1].call) + " --detail screen -o " + picture), 0);
+  EXPECT_LT(compare(squaresOf(picture), read(pathOf("aerial"))).mean, SampledMean);
+}
 
 }

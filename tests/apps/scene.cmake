@@ -42,3 +42,5 @@ if(NOT SWELLRAY_SANITIZE)
   swellray_cli_test(series 0 "3 made and 0 kept[^\n]*\nf/a-000.png f/a-001.png f/a-002.png\n[^\n]*f/a-000.png to f/a-002.png, 1 made and 2 kept[^\n]*\nf/a-001.png\n$" ""
     "set -e; draw='render bay --style scene --period 3 --direction 90 --height 0.4 --size 400x400 --times 0:1:0.5 -o f/a-%03d.png'; $SWELLRAY $draw; echo f/*; rm f/a-001.png; touch -d '1 hour ago' f/*; $SWELLRAY $draw | grep wrote; find f -name '*.png' -mmin -30")
 endif()
+swellray_cli_test(chart_detail 2 "" "need --style scene" "$SWELLRAY render bay --detail screen -o p.png")
+swellray_cli_test(scene_detail_word 2 "" "--detail must be auto, waves or screen" "${scene} --detail fine -o p.png")
