@@ -36,6 +36,16 @@ void SurfaceWaves::update(vtkInformationVector* port, int first, vtkImageData* i
   }
 }
 
+std::vector<std::shared_ptr<const SurfaceScene>> SurfaceWaves::scenes() const
+{
+  std::vector<std::shared_ptr<const SurfaceScene>> scenes;
+  for (const Wave& wave : this->Waves)
+  {
+    scenes.push_back(wave.scene);
+  }
+  return scenes;
+}
+
 std::vector<const SurfaceFunction*> SurfaceWaves::functions() const
 {
   std::vector<const SurfaceFunction*> functions;

@@ -30,6 +30,9 @@ public:
   /** Each of them. */
   std::vector<const SurfaceFunction*> functions() const;
 
+  /** What each is made of. */
+  std::vector<std::shared_ptr<const SurfaceScene>> scenes() const;
+
   /** Grows when the waves become others: what was made of them is to be made again. */
   std::size_t version() const { return this->Version; }
 

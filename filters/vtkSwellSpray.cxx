@@ -4,8 +4,8 @@
 #include "FieldData.h"
 #include "RayArrays.h"
 #include "SeafloorField.h"
-#include "SurfaceScene.h"
 #include "SurfaceSettings.h"
+#include "SurfaceWaves.h"
 #include "sim/Spray.h"
 
 #include <vtkCellArray.h>
@@ -26,8 +26,16 @@
 
 vtkStandardNewMacro(vtkSwellSpray);
 
+namespace
+{
+
+constexpr std::uint64_t SeedsApart = std::uint64_t{ 1 } << 32;
+
+}
+
 vtkSwellSpray::vtkSwellSpray()
   : Seafloor(std::make_unique<swellray::SeafloorField>())
+  , Waves(std::make_unique<swellray::SurfaceWaves>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetInputArrayToProcess(0, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Elevation");
@@ -38,6 +46,10 @@ vtkSwellSpray::~vtkSwellSpray() = default;
 int vtkSwellSpray::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
+  }
   return 1;
 }
 
@@ -59,7 +71,10 @@ int vtkSwellSpray::RequestUpdateExtent(vtkInformation*, vtkInformationVector** i
 {
   for (int port = 0; port < 2; ++port)
   {
-    swellray::askAtNoTime(inputVector[port]->GetInformationObject(0));
+    for (int i = 0; i < inputVector[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      swellray::askAtNoTime(inputVector[port]->GetInformationObject(i));
+    }
   }
   return 1;
 }
@@ -74,25 +89,32 @@ int vtkSwellSpray::RequestData(vtkInformation*, vtkInformationVector** inputVect
     const double time = swellray::requestedTime(outputVector->GetInformationObject(0), this->Time);
     const std::string spec = swellray::sectionSpec(this->Section, this->SectionParameters);
     const auto section = swellray::makeWaveSection(spec);
-    auto scene = swellray::SurfaceScene::of(rays, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
+    this->Waves->update(inputVector[0], 0, image, this->GetInputArrayToProcess(0, inputVector), *this->Seafloor,
       { swellray::pointsPerWave(this->PointsPerWave, section->pointsPerWave()), this->Seed,
         { this->GroupWaves, this->GroupLull }, false },
       this);
     const std::array<double, 4> settings{ this->Rate, this->Steepest, this->Scatter, this->Rebound };
-    if (!this->Thrower || scene != this->Scene || !std::equal(settings.begin(), settings.end(), this->ThrowerSettings))
+    if (this->Throwers.empty() || this->ThrowersOf != this->Waves->version() ||
+      !std::equal(settings.begin(), settings.end(), this->ThrowerSettings))
     {
-      this->Thrower.reset();
+      this->Throwers.clear();
       swellray::SprayOptions options;
       options.rate = this->Rate;
       options.steepest = this->Steepest;
       options.scatter = this->Scatter;
       options.rebound = this->Rebound;
-      options.gravity = swellray::tracedWave(rays).gravity;
       options.seed = static_cast<std::uint64_t>(this->Seed);
-      this->Thrower =
-        std::make_unique<swellray::Spray>(scene->surface(), scene->seafloor(), scene->obstacles(), options);
+      int connection = 0;
+      for (const auto& scene : this->Waves->scenes())
+      {
+        options.gravity = swellray::tracedWave(vtkPolyData::GetData(inputVector[0], connection++)).gravity;
+        this->Throwers.push_back(
+          std::make_unique<const swellray::Spray>(scene->surface(), scene->seafloor(), scene->obstacles(), options));
+        // Waves throw apart from each other.
+        options.seed += SeedsApart;
+      }
       std::copy(settings.begin(), settings.end(), this->ThrowerSettings);
-      this->Scene = std::move(scene);
+      this->ThrowersOf = this->Waves->version();
     }
     this->UpdateProgress(0.5);
     if (this->GetAbortExecute())
@@ -101,8 +123,20 @@ int vtkSwellSpray::RequestData(vtkInformation*, vtkInformationVector** inputVect
       return 1;
     }
 
-    const std::vector<swellray::SprayParticle> particles =
-      this->Thrower->at(time, *section, swellray::makeExecution(this, 0.5, 1.0));
+    std::vector<swellray::SprayParticle> particles;
+    swellray::SurfaceMotion motion;
+    motion.section = section.get();
+    for (std::size_t i = 0; i < this->Throwers.size(); ++i)
+    {
+      auto thrown = this->Throwers[i]->at(time, *section, swellray::makeExecution(this, 0.5, 1.0));
+      std::vector<const swellray::SurfaceFunction*> others = this->Waves->functions();
+      others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
+      if (!others.empty())
+      {
+        swellray::SurfaceSum(others).raise(thrown, time, motion, swellray::makeExecution(this, 0.5, 1.0));
+      }
+      particles.insert(particles.end(), thrown.begin(), thrown.end());
+    }
     const auto count = static_cast<vtkIdType>(particles.size());
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();

@@ -6,12 +6,13 @@
 
 #include <memory> // for the seafloor and what is kept between frames
 #include <string> // for the section
+#include <vector> // for the waves
 
 namespace swellray
 {
 class SeafloorField;
-class SurfaceScene;
 class Spray;
+class SurfaceWaves;
 }
 
 /**
@@ -20,7 +21,8 @@ class Spray;
  *
  * Wraps swellray::Spray (equations there).
  *
- * Input 0: vtkPolyData, rays of vtkSwellRayTracer with heights of vtkSwellWaveHeight (also read back from a file).
+ * Input 0: vtkPolyData, rays of vtkSwellRayTracer with heights of vtkSwellWaveHeight (also read back from a file). Of several
+ * connections each is a wave of its own that throws spray, raised by the others where it was thrown.
  * Input 1: vtkImageData, the seafloor they were traced over, point array Elevation (m, positive up).
  *
  * Output: vtkPolyData, a vertex a particle, with the point arrays
@@ -148,9 +150,10 @@ private:
   void operator=(const vtkSwellSpray&) = delete;
 
   std::unique_ptr<swellray::SeafloorField> Seafloor;
-  std::shared_ptr<const swellray::SurfaceScene> Scene; // what frames share
-  std::unique_ptr<const swellray::Spray> Thrower;
-  double ThrowerSettings[4] = { 0.0, 0.0, 0.0, 0.0 }; // that it was made with
+  std::unique_ptr<swellray::SurfaceWaves> Waves;                // what frames share
+  std::vector<std::unique_ptr<const swellray::Spray>> Throwers; // one a wave
+  std::size_t ThrowersOf = 0;                                   // the version of the waves that they are of
+  double ThrowerSettings[4] = { 0.0, 0.0, 0.0, 0.0 };           // that it was made with
 };
 
 #endif

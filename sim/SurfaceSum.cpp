@@ -109,6 +109,26 @@ void SurfaceSum::addTo(const SurfaceArrays& arrays, std::size_t count, const dou
     });
 }
 
+void SurfaceSum::raise(
+  std::vector<SprayParticle>& particles, double time, const SurfaceMotion& motion, const Execution& execution) const
+{
+  execution.forRange(particles.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        SprayParticle& particle = particles[i];
+        // Nothing holds it back along the way.
+        const glm::dvec2 start = glm::dvec2(particle.position) - particle.age * glm::dvec2(particle.velocity);
+        for (const SurfaceFunction* wave : this->Waves)
+        {
+          const SurfaceValue value = wave->at(start, time - particle.age, motion);
+          particle.position.z += value.covered ? value.elevation - this->WaterLevel : 0.0;
+        }
+      }
+    });
+}
+
 std::vector<double> pointSpacing(const SurfaceSheet& sheet)
 {
   std::vector<double> spacing(sheet.pointCount(), 0.0);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/Spray.h"
 #include "sim/SurfaceFunction.h"
 
 #include <cstddef>
@@ -30,6 +31,13 @@ public:
    */
   void addTo(const SurfaceArrays& arrays, std::size_t count, const double* spacing, double time,
     const SurfaceMotion& motion, const Execution& execution = {}) const;
+
+  /**
+   * Raise spray of another wave by these waves, as they were where and when each particle was thrown.
+   * @param time of the particles, s
+   */
+  void raise(std::vector<SprayParticle>& particles, double time, const SurfaceMotion& motion,
+    const Execution& execution = {}) const;
 
 private:
   std::vector<const SurfaceFunction*> Waves;

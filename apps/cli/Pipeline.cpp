@@ -527,7 +527,7 @@ void Pipeline::setPointsPerWave(double points)
 
 vtkPolyData* Pipeline::makeSpray(double time)
 {
-  this->Spray->SetInputConnection(0, this->wavePorts().front());
+  this->connectWaves(this->Spray);
   this->Spray->SetSeafloorConnection(this->seafloorPort());
   this->Spray->SetTime(time);
   runFilter(this->Spray, "spray", this->Screen);

@@ -58,4 +58,6 @@ swellray_cli_test(surface_pixel_step_alone 2 "" "need --camera" "${surface} --pi
 # A sea of several waves.
 swellray_cli_test(surface_components 0 "1\n2\n$" "warning: the seafloor grid|^$"
   "printf 'x,y\\n100,100\\n' > p.csv && ${surface} --at p.csv --table a.csv && ${surface} --at p.csv --table b.csv --component 3,260,0.2 --component 2.5,280,0.1 && grep -c -v '^x' a.csv && cmp -s a.csv b.csv; echo $(( $? + 1 ))")
+swellray_cli_test(surface_components_spray 0 "^more\n$" "warning: the seafloor grid|^$"
+  "${surface} --time 4 --spray a.vtp --spray-rate 300 && ${surface} --time 4 --spray b.vtp --spray-rate 300 --component 5,280,0.6 && [ $(stat -c %s b.vtp) -gt $(( $(stat -c %s a.vtp) + 3000 )) ] && echo more")
 swellray_cli_test(surface_component 2 "" "--component needs T,DIR,H" "${surface} -o s.vtp --component 3,260")

@@ -128,6 +128,59 @@ TEST(Spray, saysWhatIsWrong)
   EXPECT_THAT(errorOf([](Scene& scene) { scene.Spray->SetTimeStep(0.0); }), testing::HasSubstr("TimeStep"));
 }
 
+TEST(Spray, isThrownByEveryWaveAndRaisedByTheOthers)
+{
+  Scene scene;
+  scene.Spray->SetSection("airy");
+  scene.Spray->SetTime(5.0);
+  scene.Spray->Update();
+  vtkNew<vtkPolyData> alone;
+  alone->DeepCopy(scene.Spray->GetOutput());
+  vtkNew<vtkSwellRayTracer> tracer;
+  tracer->SetInputConnection(scene.Reader->GetOutputPort());
+  tracer->SetPeriod(7.0);
+  tracer->SetDirectionFrom(100.0);
+  tracer->SetWaveHeight(1.5);
+  tracer->SetSpacing(5.0);
+  vtkNew<vtkSwellWaveHeight> heights;
+  heights->SetInputConnection(tracer->GetOutputPort());
+  scene.Spray->AddInputConnection(0, heights->GetOutputPort());
+  scene.Spray->Update();
+  vtkPolyData* both = scene.Spray->GetOutput();
+  ASSERT_GT(both->GetNumberOfPoints(), alone->GetNumberOfPoints() + 50);
+
+  // The first wave's come first; each by the height of the second where it was thrown.
+  vtkNew<vtkPoints> starts;
+  starts->SetDataTypeToDouble();
+  vtkNew<vtkDoubleArray> times;
+  times->SetName("Time");
+  for (vtkIdType i = 0; i < alone->GetNumberOfPoints(); ++i)
+  {
+    const double age = alone->GetPointData()->GetArray("Age")->GetComponent(i, 0);
+    const double* point = alone->GetPoint(i);
+    const double* velocity = alone->GetPointData()->GetArray("Velocity")->GetTuple(i);
+    starts->InsertNextPoint(point[0] - age * velocity[0], point[1] - age * velocity[1], 0.0);
+    times->InsertNextValue(5.0 - age);
+  }
+  vtkNew<vtkPolyData> asked;
+  asked->SetPoints(starts);
+  asked->GetPointData()->AddArray(times);
+  scene.Probe->SetInputConnection(0, heights->GetOutputPort());
+  scene.Probe->SetSection("airy");
+  scene.Probe->SetInputData(2, asked);
+  scene.Probe->Update();
+  vtkDataArray* elevation = scene.Probe->GetOutput()->GetPointData()->GetArray("SurfaceElevation");
+  int raised = 0;
+  for (vtkIdType i = 0; i < alone->GetNumberOfPoints(); ++i)
+  {
+    const double second = std::isfinite(elevation->GetComponent(i, 0)) ? elevation->GetComponent(i, 0) : 0.0;
+    // Ages and velocities are floats.
+    EXPECT_NEAR(both->GetPoint(i)[2], alone->GetPoint(i)[2] + second, 1e-4);
+    raised += std::abs(second) > 0.05 ? 1 : 0;
+  }
+  EXPECT_GT(raised, 50);
+}
+
 TEST(SurfaceProbe, meetsThePointsOfTheSurface)
 {
   Scene scene;
