@@ -113,7 +113,7 @@ std::string zshCompletion(const std::vector<CommandSpec>& commands)
   std::string cases;
   for (const CommandSpec& command : commands)
   {
-    names += "    " + zshQuoted(escaped(command.name, ":", "\\") + ":" + command.help) + "\n";
+    names += fmt::format("    {}\n", zshQuoted(fmt::format("{}:{}", escaped(command.name, ":", "\\"), command.help)));
     cases += fmt::format("    {})\n      _arguments", command.name);
     const auto argument = [&cases](const std::string& text) { cases += " \\\n        " + text; };
     argument("'(-h --help)'{-h,--help}'[show this help]'");
@@ -125,7 +125,7 @@ std::string zshCompletion(const std::vector<CommandSpec>& commands)
       const std::string letter = shortName(option);
       const std::string repeated = option.repeatable ? "*" : "";
       argument(letter.empty()
-          ? zshQuoted(repeated + longName + help + value)
+          ? zshQuoted(fmt::format("{}{}{}{}", repeated, longName, help, value))
           : fmt::format("'({} {})'{{{},{}}}{}", letter, option.longName(), letter, longName, zshQuoted(help + value)));
     }
     if (command.takesSeafloor)
