@@ -267,6 +267,7 @@ WaveOrigin BackwardTracer::follow(
   origin.edge = point.position;
   origin.travelTime = point.travelTime;
   origin.reason = ray.endReason();
+  origin.steps = ray.steps();
   const bool came = ray.ended() &&
     (origin.reason == EndReason::LeftScene ||
       (origin.reason == EndReason::EnteredHole && this->leavesData(point.position)));

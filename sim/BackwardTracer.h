@@ -9,6 +9,7 @@
 
 #include <glm/vec2.hpp>
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -49,6 +50,7 @@ struct WaveOrigin
   double travelTime = 0.0;                    ///< from the edge of the scene, s
   glm::dvec2 edge{ 0.0 };                ///< where the ray came in, m; of a ray that came from nowhere its other end
   EndReason reason = EndReason::StepCap; ///< what ended the ray at its other end
+  std::size_t steps = 0;                 ///< of the integrator
 };
 
 /**

@@ -1,9 +1,14 @@
-// Seas of many times at many places, from rays that have been traced.
+// Seas of many times at many places, from rays that have been traced, and the rays of a map.
+#include "bathymetry/SeafloorReader.h"
 #include "sim/Angles.h"
 #include "sim/BuiltinSeafloor.h"
 #include "sim/SeaTransfer.h"
+#include "sim/SplineSeafloor.h"
 
 #include <benchmark/benchmark.h>
+
+#include <cstdlib>
+#include <filesystem>
 
 using namespace swellray;
 
@@ -41,6 +46,48 @@ void hindcast(benchmark::State& state)
     benchmark::Counter(runs * static_cast<double>(Hours * places.size()), benchmark::Counter::kIsRate);
 }
 
+/**
+ * Rays back from 10 x 10 of the 100 x 100 points over the mouth of the Hudson (SWELLRAY_DATA), 20 frequencies times 36 directions
+ * each, on one thread: what a map of 7.2 million rays takes is a hundred times that, over the number of cores.
+ */
+void hudsonMap(benchmark::State& state)
+{
+  const char* folder = std::getenv("SWELLRAY_DATA");
+  const std::string file =
+    std::string(folder ? folder : SWELLRAY_DATA_DEFAULT) + "/sites/long_island_ny/hudson_canyon_long_branch_3s.tif";
+  if (!std::filesystem::exists(file))
+  {
+    state.SkipWithError(("no grid " + file + "; set SWELLRAY_DATA").c_str());
+    return;
+  }
+  const SplineSeafloor seafloor(readSeafloor(file).grid);
+  const BackwardTracer tracer(seafloor, BackwardOptions());
+  SpectralRays rays;
+  rays.grid = SpectralGrid::logarithmic(0.06, 0.3, 20, 36);
+  const Rectangle bounds = seafloor.bounds();
+  constexpr int Side = 10;
+  std::size_t traced = 0;
+  std::size_t steps = 0;
+  for (auto _ : state)
+  {
+    for (int i = 0; i < Side * Side; ++i)
+    {
+      const glm::dvec2 share((i % Side + 0.5) / Side, (i / Side + 0.5) / Side);
+      const glm::dvec2 place = bounds.low + share * bounds.size();
+      for (std::size_t ray = 0; ray < rays.grid.size() && tracer.depth(place) > 0.0; ++ray)
+      {
+        steps += tracer.trace(place, rays.grid.frequencies[ray / 36], rays.heading(ray % 36)).steps;
+        ++traced;
+      }
+    }
+  }
+  const auto rate = [](std::size_t n)
+  { return benchmark::Counter(static_cast<double>(n), benchmark::Counter::kIsRate); };
+  state.counters["rays_per_second"] = rate(traced);
+  state.counters["steps_per_second"] = rate(steps);
+}
+
+BENCHMARK(hudsonMap)->Name("SpectralMap/hudson")->Unit(benchmark::kSecond)->Iterations(1);
 BENCHMARK(hindcast)->Name("SeaTransfer/100_stations")->Unit(benchmark::kMillisecond);
 
 }
