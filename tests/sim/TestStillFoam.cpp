@@ -115,6 +115,8 @@ TEST(StillFoam, takesTheLargestOfSeveralWaves)
   EXPECT_NEAR(foam, 1.0 - 0.5 * Period / Life, FloatTolerance);
   both.at(passage(80.0) + 0.5 * Period + Moment, Life, 0.0, &foam);
   EXPECT_NEAR(foam, 1.0, FloatTolerance);
+  both.at(passage(80.0) + 0.5 * Period + 1.0, Life, 0.0, &foam);
+  EXPECT_NEAR(foam, 1.0 - 1.0 / Life, FloatTolerance);
 }
 
 TEST(StillFoam, isTheSameForAnyLoop)
