@@ -4,6 +4,7 @@
 #include "FieldValues.h"
 #include "MapOutput.h"
 #include "Pipeline.h"
+#include "VtkFiles.h"
 
 #include <fmt/format.h>
 

@@ -5,6 +5,7 @@
 #include "FieldValues.h"
 #include "OptionKinds.h"
 #include "Pipeline.h"
+#include "VtkFiles.h"
 
 #include "bathymetry/LineWriter.h"
 

@@ -2,6 +2,7 @@
 
 #include "FieldValues.h"
 #include "Pipeline.h"
+#include "VtkFiles.h"
 
 #include "bathymetry/MapWriter.h"
 

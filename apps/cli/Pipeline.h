@@ -1,7 +1,7 @@
 #pragma once
 
 #include "Console.h"
-#include "OutputFile.h"
+#include "FilterSettings.h"
 #include "Request.h"
 
 #include <vtkNew.h>
@@ -25,20 +25,11 @@
 
 class vtkAlgorithm;
 class vtkAlgorithmOutput;
-class vtkDataObject;
-class vtkDataSet;
 class vtkImageData;
 class vtkPolyData;
-class vtkXMLWriter;
 
 namespace swellray::cli
 {
-
-/** Set a filter up as the request asks. */
-void setUp(vtkSwellRayTracer* tracer, const RayRequest& rays, double waterLevel);
-void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options);
-void setUp(vtkSwellSurface* surface, const SurfaceRequest& options);
-void setUp(vtkSwellFoam* foam, const SurfaceRequest& options);
 
 /** What a trace will take, found by tracing a few of its rays. */
 struct RayPlan
@@ -144,18 +135,5 @@ private:
 
 /** Files that a call must not write over: the seafloor, where it is a file, and those drawn. */
 std::vector<std::string> inputFiles(const Request& request);
-
-/** Write data to the file's hidden name, with the command line and the version. @throws WorkError */
-void writeXml(
-  vtkXMLWriter* writer, vtkDataObject* data, const OutputFile& file, const Request& request, Console& console);
-
-/** Read a .vtp file. @throws WorkError */
-vtkSmartPointer<vtkPolyData> readLines(const std::string& path, Console& console);
-
-/** Read a frame of a series, .vtp or .vti. @throws WorkError */
-vtkSmartPointer<vtkDataSet> readFrame(const std::string& path, Console& console);
-
-/** Read a .vti file. @throws WorkError */
-vtkSmartPointer<vtkImageData> readImage(const std::string& path, Console& console);
 
 }

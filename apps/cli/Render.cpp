@@ -11,6 +11,7 @@
 #include "RenderScene.h"
 #include "SceneExport.h"
 #include "TimeSeriesOption.h"
+#include "VtkFiles.h"
 
 #include "bathymetry/ObstacleReader.h"
 

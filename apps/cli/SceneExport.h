@@ -1,5 +1,6 @@
 #pragma once
 
+#include "OutputFile.h"
 #include "Pipeline.h"
 
 #include "apps/scene/ScenePicture.h"

@@ -5,6 +5,7 @@
 #include "FrameSeries.h"
 #include "OptionGroups.h"
 #include "OptionKinds.h"
+#include "OutputFile.h"
 #include "Pipeline.h"
 #include "SeaImages.h"
 #include "SeaOptions.h"
