@@ -12,7 +12,7 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
-#include <regex>
+#include <string>
 
 namespace swellray::cli
 {
@@ -22,8 +22,30 @@ namespace
 
 namespace fs = std::filesystem;
 
-// One digit of width: nobody has a billion pictures.
-const std::regex Number("%(?:0([1-9]))?d");
+/** Where a file's name counts: %d, or %0Nd with N digits. One digit of width: nobody has a billion pictures. */
+struct NumberField
+{
+  std::size_t begin = std::string::npos;
+  std::size_t end = std::string::npos;
+  int width = 1;
+};
+
+NumberField findNumber(const std::string& name)
+{
+  for (std::size_t i = name.find('%'); i != std::string::npos; i = name.find('%', i + 1))
+  {
+    if (name.compare(i + 1, 1, "d") == 0)
+    {
+      return { i, i + 2, 1 };
+    }
+    const std::string digits = name.substr(i + 1, 3);
+    if (digits.size() == 3 && digits[0] == '0' && digits[1] >= '1' && digits[1] <= '9' && digits[2] == 'd')
+    {
+      return { i, i + 4, digits[1] - '0' };
+    }
+  }
+  return {};
+}
 
 const char* const CommandKey = "CommandLine";
 const char* const TimeKey = "Time";
@@ -44,17 +66,16 @@ std::string textOf(vtkPNGReader* reader, const char* key)
 
 bool isNumbered(const std::string& file)
 {
-  return std::regex_search(fs::path(file).filename().string(), Number);
+  return findNumber(fs::path(file).filename().string()).begin != std::string::npos;
 }
 
 std::string numberedName(const std::string& file, std::size_t number)
 {
   const fs::path path(file);
   const std::string name = path.filename().string();
-  std::smatch found;
-  std::regex_search(name, found, Number);
-  const int width = found[1].matched ? std::stoi(found[1]) : 1;
-  return (path.parent_path() / fmt::format("{}{:0{}}{}", found.prefix().str(), number, width, found.suffix().str()))
+  const NumberField field = findNumber(name);
+  return (path.parent_path() /
+    fmt::format("{}{:0{}}{}", name.substr(0, field.begin), number, field.width, name.substr(field.end)))
     .string();
 }
 
