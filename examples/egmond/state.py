@@ -22,7 +22,7 @@ for file in (grid,):
 
 bed = SwellSeafloorReader(registrationName="bed", FileName=grid, WaterLevelMetres=1.35)
 coarse = SwellSeafloorReader(registrationName="coarse", FileName=grid, ResampleMetres=100)
-sea = SwellSea(registrationName="sea", Input=coarse, Seafloor=bed, DirectionFromDegrees=287, SignificantHeightMetres=3.5,
+sea = SwellSea(registrationName="sea", Places=coarse, Seafloor=bed, DirectionFromDegrees=287, SignificantHeightMetres=3.5,
                PeakPeriodSeconds=8.8, SpreadDegrees=20, OffshoreDepthMetres=13.5, Frequencies=10)
 
 LoadPalette("WhiteBackground")

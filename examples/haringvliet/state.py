@@ -23,7 +23,7 @@ for file in (swan, boundary):
 
 estuary = SwellSeafloorReader(registrationName="estuary", FileName=swan, WaterLevelMetres=1.7)
 coarse = SwellSeafloorReader(registrationName="coarse", FileName=swan, ResampleMetres=500)
-sea = SwellSea(registrationName="sea", Input=coarse, Seafloor=estuary, SpectralFile=boundary, OffshoreDepthMetres=15,
+sea = SwellSea(registrationName="sea", Places=coarse, Seafloor=estuary, SpectralFile=boundary, OffshoreDepthMetres=15,
                Edge="Not refracted", Frequencies=12)
 
 LoadPalette("WhiteBackground")

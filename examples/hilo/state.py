@@ -23,7 +23,7 @@ for file in (grid, land):
 
 harbour = SwellSeafloorReader(registrationName="harbour", FileName=grid, Crop=1, CropBox=[-155.0887, 19.7255, -155.045, 19.752])
 wave = dict(PeriodSeconds=14, DirectionFromDegrees=20, HeightMetres=1, Obstacles=land, Reflection=0.3)
-waves = SwellMildSlope(registrationName="waves", Input=harbour, Breaking="None", MinimumDepthMetres=3, **wave)
+waves = SwellMildSlope(registrationName="waves", Seafloor=harbour, Breaking="None", MinimumDepthMetres=3, **wave)
 rays = SwellRays(registrationName="rays", Input=harbour, SpacingMetres=100, Insertion="None", **wave)
 
 LoadPalette("WhiteBackground")

@@ -13,7 +13,7 @@ if "SWELLRAY_PLUGIN" in os.environ:
 
 shoal = SwellBuiltinSeafloor(registrationName="shoal", Seafloor="vincent-briggs")
 wave = dict(PeriodSeconds=1.3, DirectionFromDegrees=270, HeightMetres=0.0254, OffshoreDepthMetres=0.4572)
-waves = SwellMildSlope(registrationName="waves", Input=shoal, Breaking="None", MapSpacingMetres=0.05, **wave)
+waves = SwellMildSlope(registrationName="waves", Seafloor=shoal, Breaking="None", MapSpacingMetres=0.05, **wave)
 rays = SwellRays(registrationName="rays", Input=shoal, SpacingMetres=0.5, Insertion="None", **wave)
 
 LoadPalette("WhiteBackground")
