@@ -27,6 +27,9 @@ constexpr std::size_t LargestSide = 1024;
 // Waves at the peak that a tile must hold at least.
 constexpr double LeastWavesOfATile = 3.0;
 
+// Of the peak, with some room: the spectrum reaches to nine times its wavenumber.
+constexpr double MostWavesOfATile = 50.0;
+
 // Points a side of a cell over which its energy is summed.
 constexpr int PointsOfACell = 4;
 
@@ -77,16 +80,20 @@ std::vector<SeaSurface::Cell> SeaSurface::sampleCells(const FrequencySpectrum& s
   if (options.tile)
   {
     width = 2.0 * Pi / *options.tile;
+    const auto refuse = [&](const char* what, const char* bound, double waves)
+    {
+      const auto whole = [](double metres) { return std::to_string(static_cast<long long>(std::ceil(metres))); };
+      throw std::invalid_argument("a tile of " + whole(*options.tile) + " m is too " + what + " for waves of " +
+        whole(2.0 * Pi / peak) + " m; choose a size of " + bound + " " + whole(waves * 2.0 * Pi / peak) + " m");
+    };
     if (peak < LeastWavesOfATile * width)
     {
-      throw std::invalid_argument("a tile of " + std::to_string(*options.tile) + " m is too small for waves of " +
-        std::to_string(2.0 * Pi / peak) + " m; it must hold three of them");
+      refuse("small", "at least", LeastWavesOfATile);
     }
     const double cells = 2.0 * std::ceil(reach / width);
     if (cells > static_cast<double>(LargestSide))
     {
-      throw std::invalid_argument("a tile of " + std::to_string(*options.tile) + " m is too large for waves of " +
-        std::to_string(2.0 * Pi / peak) + " m; it may hold about 50 of them");
+      refuse("large", "at most", MostWavesOfATile);
     }
     side = static_cast<std::size_t>(cells);
   }

@@ -20,7 +20,9 @@ swellray_cli_test(sea_series_and_image 2 "" "images and pictures are of one --ti
   "${surface_of_sea} --times 0:1:1 -o s.pvd --height-map h.png")
 swellray_cli_test(sea_two_spreads 2 "" "--spread is that of --spreading cosine or normal" "${surface_of_sea} --spread 20 --spreading thon -o s.vtp")
 swellray_cli_test(sea_spacing 2 "" "--spacing must be at most --size" "$SWELLRAY sea --hs 1 --tp 5 --direction 0 --size 10 --spacing 20 -o s.vtp")
-swellray_cli_test(sea_small_tile 1 "" "a tile of 50[.0-9]* m is too small" "$SWELLRAY sea --hs 1 --tp 8 --direction 0 --size 50 --tile -o s.vtp")
+swellray_cli_test(sea_small_tile 1 "" "a tile of 50[.0-9]* m is too small for waves of 100 m; choose a size of at least 300 m" "$SWELLRAY sea --hs 1 --tp 8 --direction 0 --size 50 --tile -o s.vtp")
 swellray_cli_test(sea_same_file 2 "" "--height-map and --normal-map name the same file" "${surface_of_sea} --height-map a.png --normal-map ./a.png")
 swellray_cli_test(sea_image_full_disk 1 "^0\n$" "cannot write 'h.tif'"
   "( ulimit -f 8; ${surface_of_sea} --quiet --height-map h.tif --pixels 512 2>err ); code=$? ; grep cannot err >&2 ; ls -A | grep -vc err ; exit $code")
+swellray_cli_test(sea_large_tile 1 "" "a tile of 9000 m is too large for waves of 96 m; choose a size of at most 4800 m"
+  "$SWELLRAY sea --wind 10 --direction 270 --size 9000 --spacing 100 --tile -o s.vtp")
