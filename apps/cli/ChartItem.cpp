@@ -272,16 +272,7 @@ void ChartItem::paintHeading(vtkContext2D* painter)
   std::vector<std::string> parts;
   if (vtkDataObject* waves = this->waves())
   {
-    const auto period = fieldNumber(waves, "Period");
-    const auto direction = fieldNumber(waves, "DirectionFrom");
-    const auto height = fieldNumber(waves, "WaveHeight");
-    if (period && direction && height)
-    {
-      const auto depth = fieldNumber(waves, "OffshoreDepth");
-      parts.push_back(fmt::format("waves of {} s, {} m high, from {}\u00b0 ({}){}", shortNumber(*period),
-        shortNumber(*height), shortNumber(0.01 * std::round(100.0 * *direction)), compassPoint(*direction),
-        depth && std::isfinite(*depth) ? fmt::format(" in {} m of water", shortNumber(*depth)) : " in deep water"));
-    }
+    parts.push_back(waveWords(waves));
   }
   if (this->Content.waterLevel != 0.0)
   {
@@ -299,7 +290,7 @@ void ChartItem::paintHeading(vtkContext2D* painter)
   std::string caption;
   for (const std::string& part : parts)
   {
-    caption += (caption.empty() ? "" : "  \u00b7  ") + part;
+    caption += (caption.empty() || part.empty() ? "" : "  \u00b7  ") + part;
   }
   painter->GetTextProp()->SetColor(SoftInk[0], SoftInk[1], SoftInk[2]);
   this->text(painter, left, top - 3.9 * u, caption, 1.0 * u, Align::Left, room);

@@ -1,5 +1,9 @@
 #include "FieldValues.h"
 
+#include "apps/drawing/Scale.h"
+
+#include <fmt/format.h>
+
 #include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
@@ -7,6 +11,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace swellray::cli
 {
@@ -33,6 +38,22 @@ void setFieldText(vtkDataObject* data, const char* name, const std::string& text
   array->SetName(name);
   array->InsertNextValue(text);
   data->GetFieldData()->AddArray(array);
+}
+
+std::string waveWords(vtkDataObject* data)
+{
+  const auto period = fieldNumber(data, "Period");
+  const auto direction = fieldNumber(data, "DirectionFrom");
+  const auto height = fieldNumber(data, "WaveHeight");
+  if (!period || !direction || !height)
+  {
+    return {};
+  }
+  const auto depth = fieldNumber(data, "OffshoreDepth");
+  return fmt::format("waves of {} s, {} m high, from {}\u00b0 ({}){}", drawing::shortNumber(*period),
+    drawing::shortNumber(*height), drawing::shortNumber(0.01 * std::round(100.0 * *direction)),
+    drawing::compassPoint(*direction),
+    depth && std::isfinite(*depth) ? fmt::format(" in {} m of water", drawing::shortNumber(*depth)) : " in deep water");
 }
 
 Georeference georeferenceOf(vtkDataObject* data)

@@ -21,6 +21,9 @@ std::string fieldText(vtkDataObject* data, const char* name);
 /** Put a field data string, replacing one of that name. */
 void setFieldText(vtkDataObject* data, const char* name, const std::string& text);
 
+/** The incident wave that the field data tell of, in words; empty where they do not. */
+std::string waveWords(vtkDataObject* data);
+
 /** Georeference that the field data describe; that of a local plane where there is none. */
 Georeference georeferenceOf(vtkDataObject* data);
 

@@ -298,6 +298,11 @@ vtkImageData* Pipeline::makeFoamMap(double time)
   return this->FoamMap->GetOutput();
 }
 
+void Pipeline::setProfile(const std::string& profile)
+{
+  this->Surface->SetSection(profile);
+}
+
 void Pipeline::setPointsPerWave(double points)
 {
   this->Surface->SetPointsPerWave(points);

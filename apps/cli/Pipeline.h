@@ -21,6 +21,7 @@
 #include <vtkTrivialProducer.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
 class vtkAlgorithm;
@@ -92,6 +93,9 @@ public:
 
   /** Foam of the same waves on a grid of still water at a time, s. @throws WorkError */
   vtkImageData* makeFoamMap(double time);
+
+  /** Vertical section of the surface from now on, NAME:key=value,... */
+  void setProfile(const std::string& profile);
 
   /** Points a wavelength of the surface from now on, 16 or more; 0: as many as the section asks for. */
   void setPointsPerWave(double points);

@@ -9,7 +9,9 @@
 #include "Pipeline.h"
 #include "RayStarts.h"
 #include "RenderScene.h"
+#include "RenderSection.h"
 #include "SceneExport.h"
+#include "SurfaceOptions.h"
 #include "TimeSeriesOption.h"
 #include "VtkFiles.h"
 
@@ -87,46 +89,75 @@ std::vector<Obstacle> obstaclesToDraw(const Request& request, vtkImageData* seaf
 // A picture shows some more than what a file has by itself.
 constexpr double SceneSprayRate = 100.0;
 
-void checkScene(Request& request)
+// Options that a picture of this style cannot follow.
+void checkStyle(const Request& request)
 {
   const RenderRequest& render = request.render;
   const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
-  if (!render.scene)
+  if (render.style != PictureStyle::Scene &&
+    (render.sceneOnly || request.surface.sprayRate || movie || isNumbered(request.output.file)))
   {
-    if (render.sceneOnly || request.surface.sprayRate || render.time || render.times || movie ||
-      isNumbered(request.output.file))
-    {
-      throw UsageError("--camera, --sun, --detail, --spray-rate, --time, --times, a movie (.ogv) and numbered pictures "
-                       "need --style scene");
-    }
-    return;
+    throw UsageError("--camera, --sun, --detail, --sheet, --spray-rate, a movie (.ogv) and numbered pictures need "
+                     "--style scene");
   }
-  checkPlane(request, "--style scene");
+  if (render.style != PictureStyle::Section && (render.line || render.exaggeration))
+  {
+    throw UsageError("--line and --exaggeration need --style section");
+  }
+  if (render.style == PictureStyle::Chart && (render.seaOnly || render.time || render.times))
+  {
+    throw UsageError(
+      "--time, --times, --profile, --component, --group-waves, --group-lull, --foam-life and --seed need "
+      "--style scene or --style section");
+  }
+}
+
+// A picture of the sea, not of rays.
+void checkSea(const Request& request)
+{
+  const RenderRequest& render = request.render;
+  const std::string style = render.style == PictureStyle::Scene ? "--style scene" : "--style section";
+  checkPlane(request, style.c_str());
   if (!request.rays.wanted)
   {
-    throw UsageError("--style scene needs waves: give --period, --direction and --height");
+    throw UsageError(style + " needs waves: give --period, --direction and --height");
   }
   if (!render.rays.empty() || !render.crests.empty() || !render.map.empty())
   {
-    throw UsageError("--style scene traces its own rays; leave out --rays, --crests and --map");
+    throw UsageError(style + " traces its own rays; leave out --rays, --crests and --map");
   }
   if (render.time && render.times)
   {
     throw UsageError("--time and --times exclude each other; leave out one of the two");
   }
+  checkSurfaceOptions(request.surface);
+}
+
+void checkScene(Request& request)
+{
+  const RenderRequest& render = request.render;
+  const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
   const bool numbered = isNumbered(request.output.file);
   if ((movie || numbered) && !render.times)
   {
     throw UsageError(fmt::format("{} needs --times T0:T1:DT", movie ? "a movie" : "a series of pictures"));
   }
-  if (render.times && !movie && !numbered && !isPage(request.output.scene))
+  if (render.sheet > 0 && (!render.times || request.output.file.empty() || movie || numbered))
   {
-    throw UsageError("--times needs a movie, numbered pictures or a page to write: -o FILE.ogv, -o FOLDER/%04d.png or "
-                     "--export FILE.html");
+    throw UsageError("--sheet puts the frames of --times T0:T1:DT into one picture: give -o FILE.png or -o FILE.jpg");
+  }
+  if (render.times && !movie && !numbered && render.sheet == 0 && !isPage(request.output.scene))
+  {
+    throw UsageError("--times needs a movie, numbered pictures, a sheet of frames or a page to write: -o FILE.ogv, -o "
+                     "FOLDER/%04d.png, --sheet N -o FILE.png or --export FILE.html");
   }
   if (numbered && std::filesystem::path(request.output.file).extension() != ".png")
   {
     throw UsageError("a series of pictures is .png");
+  }
+  if (render.profiles.size() > 1)
+  {
+    throw UsageError("a scene has one --profile; --style section shows several");
   }
   request.surface.sprayRate = request.surface.sprayRate.value_or(SceneSprayRate);
 }
@@ -211,14 +242,22 @@ void checkRender(Request& request)
   }
   if (!request.output.scene.empty())
   {
-    request.render.scene = true;
+    request.render.style = PictureStyle::Scene;
   }
   checkRays(request.rays);
   checkEarth(request);
   checkStart(request);
   checkContours(request.contour);
   const RenderRequest& render = request.render;
-  checkScene(request);
+  checkStyle(request);
+  if (render.style != PictureStyle::Chart)
+  {
+    checkSea(request);
+  }
+  if (render.style == PictureStyle::Scene)
+  {
+    checkScene(request);
+  }
   if (request.rays.wanted && !render.rays.empty())
   {
     throw UsageError("--rays draws rays from a file, --period traces new ones; leave out one of the two");
@@ -235,9 +274,10 @@ void checkRender(Request& request)
 
 void runRender(const Request& request, Console& console)
 {
-  if (request.render.scene)
+  if (request.render.style != PictureStyle::Chart)
   {
-    renderScene(request, titleOf(request), console);
+    const auto renderSea = request.render.style == PictureStyle::Scene ? renderScene : renderSection;
+    renderSea(request, titleOf(request), console);
     return;
   }
   OutputFile file(request.output.file, inputFiles(request));
@@ -312,6 +352,47 @@ void runRender(const Request& request, Console& console)
   console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), layout.width, layout.height));
 }
 
+OptionSpec sheetOption(RenderRequest& render)
+{
+  OptionSpec spec{ "--sheet", "N", "the frames of --times in one picture, N a row", "one picture each", "Scene", false,
+    {} };
+  spec.set = [&render](const std::string& typed)
+  {
+    render.sceneOnly = true;
+    render.sheet = static_cast<int>(parseWhole("--sheet", typed, 1, 100));
+  };
+  return spec;
+}
+
+OptionSpec lineOption(RenderRequest& render)
+{
+  OptionSpec spec{ "--line", "X0,Y0,X1,Y1", "of a section: from and to, in the grid's coordinates",
+    "the way of the waves through the middle", "Section", false, {} };
+  spec.set = [&render](const std::string& typed)
+  {
+    const auto values = parseNumbers("--line", typed, PlainNumber);
+    if (values.size() != 4 || (values[0] == values[2] && values[1] == values[3]))
+    {
+      throw UsageError(fmt::format("--line needs X0,Y0,X1,Y1 of two places, not '{}'", typed));
+    }
+    render.line = { values[0], values[1], values[2], values[3] };
+  };
+  return spec;
+}
+
+OptionSpec profilesOption(Request& request)
+{
+  OptionSpec spec = profileOption(request.surface);
+  spec.help += "; a section of each that is given";
+  spec.repeatable = true;
+  spec.set = [set = spec.set, &request](const std::string& typed)
+  {
+    set(typed);
+    request.render.profiles.push_back(typed);
+  };
+  return spec;
+}
+
 OptionSpec detailOption(RenderRequest& render)
 {
   OptionSpec spec =
@@ -332,7 +413,8 @@ OptionSpec detailOption(RenderRequest& render)
 
 CommandSpec renderSpec(Request& request)
 {
-  CommandSpec spec{ "render", "draw the seafloor, its contour lines and rays as a picture", true, {}, {} };
+  CommandSpec spec{ "render",
+    "draw the seafloor with its waves as a picture: a chart, the water itself, or sections through it", true, {}, {} };
   RenderRequest& render = request.render;
   OptionSpec size{ "--size", "WxH", "size of the picture, pixels", "1600 wide, high as the scene asks", "Picture",
     false, {} };
@@ -346,8 +428,9 @@ CommandSpec renderSpec(Request& request)
     outputFile("--export", "the scene for others to draw, .gltf; or a page that plays its waves, .html",
       request.output.scene, { ".gltf", ".html" }),
     size,
-    choice("--style", "a chart, or the water in three dimensions", "chart", "Picture", render.scene,
-      std::vector<std::pair<std::string, bool>>{ { "chart", false }, { "scene", true } }),
+    choice("--style", "a chart, the water in three dimensions, or cut along a line", "chart", "Picture", render.style,
+      std::vector<std::pair<std::string, PictureStyle>>{
+        { "chart", PictureStyle::Chart }, { "scene", PictureStyle::Scene }, { "section", PictureStyle::Section } }),
     text("--rays", "FILE", "rays that 'swellray trace' wrote, .vtp", "", "Picture", render.rays),
     text("--map", "FILE",
       "map that 'swellray trace' or 'swellray spectrum' wrote, .vti, on the water in place of depths", "", "Picture",
@@ -364,26 +447,46 @@ CommandSpec renderSpec(Request& request)
       std::vector<std::pair<std::string, ChartFrame>>{
         { "auto", ChartFrame::Auto }, { "metric", ChartFrame::Metric }, { "graticule", ChartFrame::Graticule } }),
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
-  OptionSpec time = number("--time", "S", "time of a scene, s", "0", "Scene", render.time, { "seconds" });
   add(spec.options,
-    { cameraOption(render), sunOption(render), detailOption(render), time, timesOption(render.times, "Scene"),
+    { cameraOption(render), sunOption(render), detailOption(render), sheetOption(render),
       number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "100",
-        "Scene", request.surface.sprayRate, { "", 0.0, 1e6 }) });
+        "Scene", request.surface.sprayRate, { "", 0.0, 1e6 }),
+      lineOption(render),
+      number("--exaggeration", "N", "how many times larger heights of a section are drawn than distances",
+        "so that waves are seen", "Section", render.exaggeration, PositiveNumber),
+      number("--time", "S", "time of a scene or section, s", "0", "Surface", render.time, { "seconds" }),
+      timesOption(render.times, "Surface") });
+  std::vector<OptionSpec> surface = surfaceOptions(request.surface);
+  surface.insert(surface.begin(), profilesOption(request));
+  for (OptionSpec& option : surface)
+  {
+    option.set = [set = option.set, &render](const std::string& typed)
+    {
+      render.seaOnly = true;
+      set(typed);
+    };
+  }
+  add(spec.options, surface);
   add(spec.options, contourOptions(request.contour));
   add(spec.options, waveOptions(request.rays, false));
   spec.options.push_back(launchOption(request.start));
   add(spec.options, rayOptions(request.rays));
   add(spec.options, seafloorOptions(request.seafloor.options));
-  spec.examples = "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"
-                  "  swellray render harbour.tif --period 14 --direction 135 --height 2 -o picture.png\n"
-                  "  swellray render harbour.tif --map heights.vti --map-by WaveHeight --rays rays.vtp -o heights.png\n"
-                  "  swellray render harbour.tif --obstacles breakwater.geojson -o harbour.png\n"
-                  "  swellray render harbour.tif --interval 5 --size 2400x1800 -o chart.png\n"
-                  "  swellray render harbour.tif --style scene --period 9 --direction 285 --height 1.5 -o shore.png\n"
-                  "  swellray render bay --style scene --camera aerial --period 3 --direction 90 --height 0.4 --times "
-                  "0:10:0.04 -o bay.ogv\n"
-                  "  swellray render bay --period 3 --direction 90 --height 0.4 --export bay.html\n"
-                  "Where no display is set, an X server in memory (Xvfb) is started for the picture.\n";
+  spec.examples =
+    "  swellray render harbour.tif --rays rays.vtp --crests crests.vtp -o picture.png\n"
+    "  swellray render harbour.tif --period 14 --direction 135 --height 2 -o picture.png\n"
+    "  swellray render harbour.tif --map heights.vti --map-by WaveHeight --rays rays.vtp -o heights.png\n"
+    "  swellray render harbour.tif --obstacles breakwater.geojson -o harbour.png\n"
+    "  swellray render harbour.tif --interval 5 --size 2400x1800 -o chart.png\n"
+    "  swellray render harbour.tif --style scene --period 9 --direction 285 --height 1.5 -o shore.png\n"
+    "  swellray render bay --style scene --camera aerial --period 3 --direction 90 --height 0.4 --times "
+    "0:10:0.04 -o bay.ogv\n"
+    "  swellray render bay --style scene --period 3 --direction 90 --height 0.4 --times 0:2.5:0.5 --sheet "
+    "2 --size 640x360 -o bay.png\n"
+    "  swellray render plane --style section --line 200,0,-20,0 --period 8 --direction 90 --height 1 "
+    "--profile airy --profile jeschke -o sections.png\n"
+    "  swellray render bay --period 3 --direction 90 --height 0.4 --export bay.html\n"
+    "Where no display is set, an X server in memory (Xvfb) is started for the picture.\n";
   spec.check = checkRender;
   spec.run = runRender;
   return spec;

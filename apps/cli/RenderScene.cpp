@@ -2,10 +2,12 @@
 
 #include "Failure.h"
 #include "FieldValues.h"
+#include "FrameSheet.h"
 #include "OutputFile.h"
 #include "PictureSeries.h"
 #include "SceneExport.h"
 
+#include "apps/drawing/Scale.h"
 #include "apps/drawing/VirtualDisplay.h"
 #include "apps/scene/ScenePicture.h"
 #include "sim/Angles.h"
@@ -206,8 +208,24 @@ void drawScene(const Request& request, Pipeline& pipeline, const scene::SceneCon
     console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), content.width, content.height));
     return;
   }
-  Movie movie(file, render.times->step);
   const std::size_t count = render.times->count();
+  if (render.sheet > 0)
+  {
+    FrameSheet sheet(count, static_cast<std::size_t>(render.sheet));
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const double time = render.times->at(i);
+      sheet.add(frames.draw(time), fmt::format("{} s", drawing::shortNumber(time)));
+      console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
+    }
+    console.endProgress();
+    writePicture(sheet.picture(), { request.commandLine, render.times->first }, file);
+    file.commit();
+    console.say(
+      fmt::format("wrote {}, {} frames of {} x {} pixels", file.path(), count, content.width, content.height));
+    return;
+  }
+  Movie movie(file, render.times->step);
   for (std::size_t i = 0; i < count; ++i)
   {
     const double time = render.times->at(i);

@@ -141,6 +141,14 @@ struct TimeSeries
   double at(std::size_t i) const { return this->first + static_cast<double>(i) * this->step; }
 };
 
+/** What a picture is. */
+enum class PictureStyle
+{
+  Chart,
+  Scene,   ///< the water in three dimensions
+  Section, ///< the water and the bed along a line
+};
+
 /** How finely the water of a scene is drawn. */
 enum class SceneDetail
 {
@@ -161,14 +169,19 @@ struct RenderRequest
   ChartFrame frame = ChartFrame::Auto;
   std::optional<std::array<int, 2>> size; ///< pixels; none: 1600 wide, as high as the scene asks for
   std::string title;                      ///< empty: name of the seafloor
-  bool scene = false;                     ///< the water in three dimensions in place of a chart
+  PictureStyle style = PictureStyle::Chart;
   std::optional<scene::CameraName> camera;
   std::optional<std::array<double, 6>> cameraPlace; ///< eye and focus, in the grid's own coordinates and m
   std::optional<std::array<double, 2>> sun;         ///< azimuth, nautical, and elevation, degrees
   std::optional<double> time;                       ///< s
   std::optional<TimeSeries> times;                  ///< frames of a movie
   SceneDetail detail = SceneDetail::Auto;
-  bool sceneOnly = false; ///< an option of scenes was given
+  int sheet = 0;                             ///< frames a row of one picture of all of them; 0: one picture each
+  std::vector<std::string> profiles;         ///< a section each; empty: that of the surface
+  std::optional<std::array<double, 4>> line; ///< of sections: from and to, in the grid's own coordinates
+  std::optional<double> exaggeration;        ///< of their heights
+  bool sceneOnly = false;                    ///< an option of scenes was given
+  bool seaOnly = false;                      ///< an option of scenes and sections was given
 };
 
 /** The interactive window. */

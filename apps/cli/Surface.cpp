@@ -7,10 +7,9 @@
 #include "Pipeline.h"
 #include "RayStarts.h"
 #include "RenderScene.h"
+#include "SurfaceOptions.h"
 #include "SurfaceTable.h"
 #include "TimeSeriesOption.h"
-
-#include "sim/sections/WaveSection.h"
 
 #include <fmt/format.h>
 
@@ -18,11 +17,9 @@
 #include <vtkPolyData.h>
 
 #include <array>
-#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <vector>
 
 namespace swellray::cli
@@ -34,56 +31,6 @@ namespace
 // The picture of a camera.
 constexpr std::array<int, 2> StandardPicture{ 1600, 900 };
 constexpr int StandardStep = 8; // pixels
-
-OptionSpec componentOption(SurfaceRequest& surface)
-{
-  OptionSpec spec{ "--component", "T,DIR,H", "another wave of the sea, traced on its own and added", "", "Surface",
-    false, {} };
-  spec.repeatable = true;
-  spec.set = [&surface](const std::string& typed)
-  {
-    const auto values = parseNumbers("--component", typed, {});
-    constexpr double turn = 360.0;
-    if (values.size() != 3 || !(values[0] > 0.0) || !(std::abs(values[1]) <= turn) || !(values[2] > 0.0))
-    {
-      throw UsageError(
-        fmt::format("--component needs T,DIR,H with a period and a height above 0 and a direction of -360 to "
-                    "360 degrees, not '{}'",
-          typed));
-    }
-    IncidentWave wave;
-    wave.period = values[0];
-    wave.directionFrom = values[1];
-    wave.height = values[2];
-    surface.components.push_back(wave);
-  };
-  return spec;
-}
-
-OptionSpec profileOption(SurfaceRequest& surface)
-{
-  std::string names;
-  for (const FormDescription& section : waveSections())
-  {
-    names += (names.empty() ? "" : ", ") + section.name;
-  }
-  OptionSpec spec = text("--profile", "NAME:key=value,...", ("vertical section of the waves: " + names).c_str(),
-    surface.profile.c_str(), "Surface", surface.profile);
-  const auto setName = spec.set;
-  spec.set = [setName](const std::string& typed)
-  {
-    setName(typed);
-    try
-    {
-      makeWaveSection(typed);
-    }
-    catch (const std::invalid_argument& error)
-    {
-      throw UsageError(fmt::format("--profile: {}", error.what()));
-    }
-  };
-  return spec;
-}
 
 void checkSurface(Request& request)
 {
@@ -120,10 +67,7 @@ void checkSurface(Request& request)
   {
     throw UsageError("--spray-rate and --spray-steepness need --spray FILE");
   }
-  if (surface.groupLull && !surface.groupWaves)
-  {
-    throw UsageError("--group-lull needs --group-waves N");
-  }
+  checkSurfaceOptions(surface);
   if (request.render.sceneOnly && (request.output.file.empty() || surface.straightPhase))
   {
     throw UsageError("--camera samples the surface of -o FILE by the traced phase; give -o, and leave out --phase "
@@ -267,9 +211,6 @@ CommandSpec surfaceSpec(Request& request)
   OptionSpec step{ "--pixel-step", "N", "pixels from sample to sample", "8", "Surface", false, {} };
   step.set = [&surface](const std::string& typed)
   { surface.pixelStep = static_cast<int>(parseWhole("--pixel-step", typed, 1, 1000)); };
-  OptionSpec seed{ "--seed", "N", "what varies from wave to wave is drawn from this", "1", "Surface", false, {} };
-  seed.set = [&surface](const std::string& typed)
-  { surface.seed = static_cast<int>(parseWhole("--seed", typed, 0, 2'000'000'000)); };
   spec.options = { outputFile("-o,--output", "surface, .vtp, or series, .pvd", request.output.file, { ".vtp", ".pvd" }),
     outputFile("--spray", "spray, .vtp, or series, .pvd", request.output.spray, { ".vtp", ".pvd" }),
     outputFile("--foam", "foam on a grid of still water, .vti, .nc or .tif, or series of .vti, .pvd",
@@ -282,19 +223,17 @@ CommandSpec surfaceSpec(Request& request)
     choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),
-    timesOption(surface.times, "Surface"), componentOption(surface),
-    number("--group-waves", "N", "waves a group: high ones in its middle, low ones between two", "all alike", "Surface",
-      surface.groupWaves, { "", 2.0, 1e6 }),
-    number("--group-lull", "SHARE", "height of the lowest waves of a group over that of the highest", "0.3", "Surface",
-      surface.groupLull, Share),
-    points, number("--foam-life", "S", "time until foam is gone, s", "8", "Surface", surface.foamLife, PositiveSeconds),
-    number("--foam-spacing", "M", "distance of the nodes of --foam, m", "that of the seafloor", "Surface",
-      surface.foamSpacing, PositiveMetres),
-    camera, size, step, seed,
-    number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
-      "Surface", surface.sprayRate, { "", 0.0, 1e6 }),
-    number("--spray-steepness", "R", "height over length from which on crests throw spray", "where the trace breaks",
-      "Surface", surface.spraySteepness, { "", 0.0, 10.0, true }) };
+    timesOption(surface.times, "Surface") };
+  add(spec.options, surfaceOptions(surface));
+  add(spec.options,
+    { points,
+      number("--foam-spacing", "M", "distance of the nodes of --foam, m", "that of the seafloor", "Surface",
+        surface.foamSpacing, PositiveMetres),
+      camera, size, step,
+      number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "20",
+        "Surface", surface.sprayRate, { "", 0.0, 1e6 }),
+      number("--spray-steepness", "R", "height over length from which on crests throw spray", "where the trace breaks",
+        "Surface", surface.spraySteepness, { "", 0.0, 10.0, true }) });
   add(spec.options, waveOptions(request.rays, true));
   spec.options.push_back(launchOption(request.start));
   add(spec.options, rayOptions(request.rays));
