@@ -2,6 +2,7 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
 
@@ -33,7 +34,7 @@ void writeLabel(vtkImageData* sheet, int x, int y, int height, const std::string
   vtkNew<vtkImageData> glyphs;
   int extent[2] = { 0, 0 };
   constexpr int dpi = 72;
-  if (!vtkTextRenderer::GetInstance()->RenderString(style, words, glyphs, extent, dpi))
+  if (!vtkTextRenderer::GetInstance()->RenderString(style, vtkStdString(words), glyphs, extent, dpi))
   {
     return;
   }
@@ -73,6 +74,13 @@ void writeLabel(vtkImageData* sheet, int x, int y, int height, const std::string
   blend(0, 0, 1.0);
 }
 
+}
+
+std::array<int, 2> FrameSheet::frameSize(const std::array<int, 2>& sheet, std::size_t count, std::size_t columns)
+{
+  const auto across = static_cast<int>(std::min(count, columns));
+  const int rows = (static_cast<int>(count) + across - 1) / across;
+  return { std::max(1, (sheet[0] + Between) / across - Between), std::max(1, (sheet[1] + Between) / rows - Between) };
 }
 
 FrameSheet::FrameSheet(std::size_t count, std::size_t columns)

@@ -2,6 +2,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 
@@ -14,6 +15,9 @@ namespace swellray::cli
 class FrameSheet
 {
 public:
+  /** Size of each picture in a sheet of this size, pixels; 1 or more. */
+  static std::array<int, 2> frameSize(const std::array<int, 2>& sheet, std::size_t count, std::size_t columns);
+
   /** @param count pictures, and @param columns of them a row; both 1 or more */
   FrameSheet(std::size_t count, std::size_t columns);
 

@@ -131,6 +131,12 @@ scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
                            : scene::SkyModel(std::remainder(content.directionFrom + SunRight, 360.0), SunElevation);
   content.width = size[0];
   content.height = size[1];
+  if (render.sheet > 0)
+  {
+    const auto frame = FrameSheet::frameSize(size, render.times->count(), static_cast<std::size_t>(render.sheet));
+    content.width = frame[0];
+    content.height = frame[1];
+  }
   return content;
 }
 

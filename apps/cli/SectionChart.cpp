@@ -21,6 +21,7 @@
 #include <vtkRect.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
+#include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkWindowToImageFilter.h>
 
@@ -183,7 +184,7 @@ private:
     painter->DrawRect(static_cast<float>(box.x), static_cast<float>(box.y), static_cast<float>(box.width),
       static_cast<float>(box.height));
     painter->GetBrush()->SetOpacity(255);
-    write(painter, box.x + 0.6 * u, box.y + box.height - u, panel.label, u, VTK_TEXT_LEFT, Ink, 0.0, true);
+    write(painter, box.x + 0.6 * u, box.y + 0.9 * u, panel.label, u, VTK_TEXT_LEFT, { 1.0, 1.0, 1.0 }, 0.0, true);
     const int marks = std::max(1, static_cast<int>(box.height / (2.2 * u)));
     const Ticks ticks = ticksWithin(this->Layout.low - level, this->Layout.high - level, marks);
     for (const double value : ticks.values)
@@ -215,14 +216,13 @@ private:
       write(painter, x, last.y - 1.2 * u, ticks.label(value), 0.85 * u, VTK_TEXT_CENTERED, Ink);
       const double share = value / this->Content->length * (static_cast<double>(this->Content->bed.size()) - 1.0);
       const double depth = this->Content->waterLevel - this->Content->bed[static_cast<std::size_t>(std::lround(share))];
-      if (std::isfinite(depth) && depth > -0.5 * this->Content->highest)
+      if (std::isfinite(depth) && depth > -0.05)
       {
         const double above = first.y + first.height;
         line(painter, x, above, x, above + 0.45 * u);
-        // A tenth of the smallest wave that is seen is depth enough.
-        write(painter, x, above + 1.1 * u,
-          depth < 9.95 ? fmt::format("{:.1f}", depth + 0.0) : fmt::format("{:.0f}", depth), 0.85 * u, VTK_TEXT_CENTERED,
-          Ink);
+        const std::string words =
+          depth < 9.95 ? fmt::format("{:.1f}", std::max(0.0, depth)) : fmt::format("{:.0f}", depth);
+        write(painter, x, above + 1.1 * u, words, 0.85 * u, VTK_TEXT_CENTERED, Ink);
       }
     }
     write(painter, first.x + 0.5 * first.width, first.y + first.height + 2.4 * u, "depth of still water (m)", 0.9 * u,

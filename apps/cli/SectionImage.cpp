@@ -25,9 +25,9 @@ const Rgb Deep{ 0.16, 0.38, 0.56 };
 const Rgb Bed{ 0.80, 0.72, 0.58 };
 const Rgb Foam{ 1.0, 1.0, 1.0 };
 
-// Depth below the surface at which water is dark, and of whole foam, heights of the highest crest over the level.
+// Depth below the highest crest at which water is dark, and of whole foam, heights of the highest crest over the level.
 constexpr double DarkDepth = 4.0;
-constexpr double FoamDepth = 0.35;
+constexpr double FoamDepth = 0.22;
 
 /** The water's surface over a column of pixels. */
 struct Crossing
@@ -97,7 +97,7 @@ vtkSmartPointer<vtkImageData> sectionImage(
       const bool inside = (surface.end() - above) % 2 == 1 || above == surface.begin();
       if (!(z < bed) && above != surface.end() && inside)
       {
-        color = mixed(Shallow, Deep, std::clamp((above->up - z) / (DarkDepth * crest), 0.0, 1.0));
+        color = mixed(Shallow, Deep, std::clamp((content.waterLevel + crest - z) / (DarkDepth * crest), 0.0, 1.0));
         if (above->up - z < FoamDepth * above->foam * crest)
         {
           color = mixed(color, Foam, 0.3 + 0.7 * above->foam);

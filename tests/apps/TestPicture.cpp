@@ -148,3 +148,86 @@ TEST(Picture, ShowsTheWaterAndItsMovie)
   movie.read(beginning.data(), 4);
   EXPECT_EQ(beginning, "OggS");
 }
+
+TEST(Picture, CutsTheSeaWhereCrestsHangOver)
+{
+  tolerateTheDriver();
+  if (!canDraw())
+  {
+    GTEST_SKIP() << "neither a display nor Xvfb to draw with";
+  }
+  const ScratchFolder folder("section");
+  const std::string picture = folder / "section.png";
+  ASSERT_EQ(runSwellray("render plane:slope=0.05,x1=150,y0=-10,y1=10 --style section --line 90,0,-5,0 --period 6 "
+                        "--direction 90 --height 1.2 --profile airy --profile gonzato-lesaec --size 800x600 -o " +
+              picture),
+    0);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(picture.c_str());
+  reader->Update();
+  vtkImageData* image = reader->GetOutput();
+  ASSERT_EQ(image->GetDimensions()[0], 800);
+  ASSERT_EQ(image->GetDimensions()[1], 600);
+  // Water is blue, the air over it is pale, the bed is brown; lines between them are neither.
+  const auto isWater = [](const unsigned char* pixel) { return pixel[2] > pixel[0] + 40; };
+  const auto isAir = [](const unsigned char* pixel) { return pixel[0] > 230 && pixel[2] > pixel[0]; };
+  const auto isBed = [](const unsigned char* pixel) { return pixel[0] > pixel[2] + 30; };
+  int hanging[2] = { 0, 0 };
+  int bed[2] = { 0, 0 };
+  for (int x = 100; x < 760; ++x)
+  {
+    bool above[2] = { false, false };
+    for (int y = 0; y < 600; ++y)
+    {
+      const auto* pixel = static_cast<const unsigned char*>(image->GetScalarPointer(x, y, 0));
+      // Pictures count from below: the second section comes first.
+      const int panel = y < 280 ? 1 : 0;
+      above[panel] = above[panel] || isAir(pixel);
+      hanging[panel] += above[panel] && isWater(pixel);
+      bed[panel] += isBed(pixel);
+    }
+  }
+  EXPECT_EQ(hanging[0], 0) << "sines do not hang over";
+  EXPECT_GT(hanging[1], 60) << "pixels of lips with air under them";
+  EXPECT_GT(bed[0], 10000);
+  EXPECT_NEAR(bed[1], bed[0], 0.05 * bed[0]);
+}
+
+TEST(Picture, PutsFramesIntoASheet)
+{
+  tolerateTheDriver();
+  if (!canDraw())
+  {
+    GTEST_SKIP() << "neither a display nor Xvfb to draw with";
+  }
+  const ScratchFolder folder("sheet");
+  const std::string scene = "render bay --style scene --period 3 --direction 90 --height 0.4 --size 400x400 --camera "
+                            "aerial ";
+  ASSERT_EQ(runSwellray(scene + "--times 0:2:1 --sheet 2 -o " + (folder / "sheet.png")), 0);
+  ASSERT_EQ(runSwellray(scene + "--time 1 -o " + (folder / "frame.png")), 0);
+  vtkNew<vtkPNGReader> sheet;
+  sheet->SetFileName((folder / "sheet.png").c_str());
+  sheet->Update();
+  vtkNew<vtkPNGReader> frame;
+  frame->SetFileName((folder / "frame.png").c_str());
+  frame->Update();
+  ASSERT_EQ(sheet->GetOutput()->GetDimensions()[0], 804);
+  ASSERT_EQ(sheet->GetOutput()->GetDimensions()[1], 804);
+  // The second is on the right of the upper row; its upper left corner has its time.
+  int others = 0;
+  int corner = 0;
+  for (int y = 0; y < 400; ++y)
+  {
+    for (int x = 0; x < 400; ++x)
+    {
+      const auto* a = static_cast<const unsigned char*>(sheet->GetOutput()->GetScalarPointer(404 + x, 404 + y, 0));
+      const auto* b = static_cast<const unsigned char*>(frame->GetOutput()->GetScalarPointer(x, y, 0));
+      const bool other = a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
+      (x < 120 && y > 340 ? corner : others) += other;
+    }
+  }
+  EXPECT_EQ(others, 0);
+  EXPECT_GT(corner, 20);
+  const auto* empty = static_cast<const unsigned char*>(sheet->GetOutput()->GetScalarPointer(600, 200, 0));
+  EXPECT_EQ(empty[0] + empty[1] + empty[2], 3 * 255);
+}

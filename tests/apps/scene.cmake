@@ -20,7 +20,7 @@ swellray_cli_test(export_ending 2 "" "--export must end in .gltf or .html" "${sc
 swellray_cli_test(export_without_wave 2 "" "--style scene needs waves" "$SWELLRAY render bay --export s.gltf")
 swellray_cli_test(export_gltf 0 "^seafloor sea .*\n$" ""
   "env -u DISPLAY ${scene} --time 1 --export s.gltf && python3 -c 'import json; print(*[each[\"name\"] for each in json.load(open(\"s.gltf\"))[\"nodes\"]])'")
-swellray_cli_test(export_gltf_times 2 "" "--times needs a movie, numbered pictures or a page" "${scene} --times 0:1:0.1 --export s.gltf")
+swellray_cli_test(export_gltf_times 2 "" "--times needs a movie, numbered pictures, a sheet of frames or a page" "${scene} --times 0:1:0.1 --export s.gltf")
 swellray_cli_test(export_gltf_full_disk 1 "^0\n$" "cannot write 's.gltf'"
   "( ulimit -f 8; ${scene} --export s.gltf 2>err ); code=$? ; cat err >&2 ; ls -A | grep -vc err ; exit $code")
 
