@@ -354,8 +354,8 @@ void runRender(const Request& request, Console& console)
 
 OptionSpec sheetOption(RenderRequest& render)
 {
-  OptionSpec spec{ "--sheet", "N", "the frames of --times in one picture, N a row", "one picture each", "Scene", false,
-    {} };
+  OptionSpec spec{ "--sheet", "N", "the frames of --times in one picture of this --size, N a row", "one picture each",
+    "Scene", false, {} };
   spec.set = [&render](const std::string& typed)
   {
     render.sceneOnly = true;
@@ -482,7 +482,7 @@ CommandSpec renderSpec(Request& request)
     "  swellray render bay --style scene --camera aerial --period 3 --direction 90 --height 0.4 --times "
     "0:10:0.04 -o bay.ogv\n"
     "  swellray render bay --style scene --period 3 --direction 90 --height 0.4 --times 0:2.5:0.5 --sheet "
-    "2 --size 640x360 -o bay.png\n"
+    "2 -o bay.png\n"
     "  swellray render plane --style section --line 200,0,-20,0 --period 8 --direction 90 --height 1 "
     "--profile airy --profile jeschke -o sections.png\n"
     "  swellray render bay --period 3 --direction 90 --height 0.4 --export bay.html\n"

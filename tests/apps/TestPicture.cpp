@@ -201,10 +201,9 @@ TEST(Picture, PutsFramesIntoASheet)
     GTEST_SKIP() << "neither a display nor Xvfb to draw with";
   }
   const ScratchFolder folder("sheet");
-  const std::string scene = "render bay --style scene --period 3 --direction 90 --height 0.4 --size 400x400 --camera "
-                            "aerial ";
-  ASSERT_EQ(runSwellray(scene + "--times 0:2:1 --sheet 2 -o " + (folder / "sheet.png")), 0);
-  ASSERT_EQ(runSwellray(scene + "--time 1 -o " + (folder / "frame.png")), 0);
+  const std::string scene = "render bay --style scene --period 3 --direction 90 --height 0.4 --camera aerial ";
+  ASSERT_EQ(runSwellray(scene + "--times 0:2:1 --sheet 2 --size 804x804 -o " + (folder / "sheet.png")), 0);
+  ASSERT_EQ(runSwellray(scene + "--time 1 --size 400x400 -o " + (folder / "frame.png")), 0);
   vtkNew<vtkPNGReader> sheet;
   sheet->SetFileName((folder / "sheet.png").c_str());
   sheet->Update();
