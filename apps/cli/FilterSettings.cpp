@@ -137,9 +137,12 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
 namespace
 {
 
-template <typename Filter>
-void setGroups(Filter* filter, const SurfaceRequest& options)
+// What everything that is made of the surface has.
+void setFrame(vtkSwellSurfaceAlgorithm* filter, const SurfaceRequest& options)
 {
+  filter->SetSection(options.profile);
+  filter->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
+  filter->SetSeed(options.seed);
   filter->SetGroupWaves(options.groupWaves.value_or(0.0));
   if (options.groupLull)
   {
@@ -151,19 +154,13 @@ void setGroups(Filter* filter, const SurfaceRequest& options)
 
 void setUp(vtkSwellSurface* surface, const SurfaceRequest& options)
 {
-  surface->SetSection(options.profile);
+  setFrame(surface, options);
   surface->SetPhaseRule(options.straightPhase ? vtkSwellSurface::STRAIGHT : vtkSwellSurface::TRACED);
-  surface->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
-  surface->SetSeed(options.seed);
-  setGroups(surface, options);
 }
 
 void setUp(vtkSwellSpray* spray, const SurfaceRequest& options)
 {
-  spray->SetSection(options.profile);
-  spray->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
-  spray->SetSeed(options.seed);
-  setGroups(spray, options);
+  setFrame(spray, options);
   spray->SetSteepest(options.spraySteepness.value_or(0.0));
   if (options.sprayRate)
   {
@@ -173,10 +170,7 @@ void setUp(vtkSwellSpray* spray, const SurfaceRequest& options)
 
 void setUp(vtkSwellFoamMap* foam, const SurfaceRequest& options)
 {
-  foam->SetSection(options.profile);
-  foam->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
-  foam->SetSeed(options.seed);
-  setGroups(foam, options);
+  setFrame(foam, options);
   foam->SetSpacing(options.foamSpacing.value_or(0.0));
   if (options.foamLife)
   {
@@ -186,10 +180,7 @@ void setUp(vtkSwellFoamMap* foam, const SurfaceRequest& options)
 
 void setUp(vtkSwellProjectedGrid* grid, const SurfaceRequest& options)
 {
-  grid->SetSection(options.profile);
-  grid->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
-  grid->SetSeed(options.seed);
-  setGroups(grid, options);
+  setFrame(grid, options);
   if (options.foamLife)
   {
     grid->SetFoamLife(*options.foamLife);
@@ -198,10 +189,7 @@ void setUp(vtkSwellProjectedGrid* grid, const SurfaceRequest& options)
 
 void setUp(vtkSwellSurfaceProbe* probe, const SurfaceRequest& options)
 {
-  probe->SetSection(options.profile);
-  probe->SetPointsPerWave(options.pointsPerWave.value_or(0.0));
-  probe->SetSeed(options.seed);
-  setGroups(probe, options);
+  setFrame(probe, options);
   if (options.foamLife)
   {
     probe->SetFoamLife(*options.foamLife);

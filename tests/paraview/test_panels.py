@@ -16,6 +16,7 @@ LEFT_OUT = {
     ("vtkSwellMap", "WaterLevel"): "that of the rays goes first",
     ("vtkSwellStations", "WaterLevel"): "that of the rays goes first",
     ("vtkSwellSurface", "Time"): "the animation has it",
+    ("vtkSwellSurfaceProbe", "Time"): "the animation has it",
     ("vtkSwellSpray", "Time"): "the animation has it",
     ("vtkSwellFoamMap", "Time"): "the animation has it",
     ("vtkSwellProjectedGrid", "Time"): "the animation has it",
@@ -25,7 +26,10 @@ LEFT_OUT = {
 }
 
 # Classes that are no algorithms, and what they are.
-NO_FILTERS = {"vtkSwellSeaFunction": "the implicit function of vtkSwellSea"}
+NO_FILTERS = {
+    "vtkSwellSeaFunction": "the implicit function of vtkSwellSea",
+    "vtkSwellSurfaceAlgorithm": "the base of what is made of the surface",
+}
 
 # Where a panel begins with something else than the class.
 OTHER_DEFAULTS = {
@@ -44,10 +48,14 @@ UNIT = r"(?:, |in |by )(m|s|degrees|m/s|m/s2|m2/s3|Hz)(?: clockwise[^.]*| offsho
 
 
 class Header:
-    """What can be set in a class of the filters."""
+    """What can be set in a class of the filters, with what it inherits."""
 
     def __init__(self, name):
-        self.text = (FILTERS / f"{name}.h").read_text()
+        self.text = ""
+        while name.startswith("vtkSwell"):
+            text = (FILTERS / f"{name}.h").read_text()
+            self.text += text
+            name = re.search(r"^class \w+ \w+ : public (\w+)", text, re.M).group(1)
         enumerators = re.findall(r"^\s+([A-Z_]+) = (\d+)", self.text, re.M)
         self.numbers = {word: int(number) for word, number in enumerators}
         self.kinds = {
