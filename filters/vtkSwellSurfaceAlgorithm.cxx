@@ -6,6 +6,7 @@
 #include "SurfaceSettings.h"
 #include "SurfaceWaves.h"
 
+#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
