@@ -253,6 +253,27 @@ TEST(SurfaceProbe, takesTheTimeOfEachPointAndLeavesDryOnesEmpty)
   EXPECT_THAT(listener->Errors.front(), testing::HasSubstr("life"));
 }
 
+TEST(SurfaceProbe, playsWherePointsHaveNoTime)
+{
+  Scene scene;
+  scene.Probe->SetSection("airy");
+  vtkNew<vtkPolyData> asked;
+  vtkNew<vtkPoints> points;
+  points->InsertNextPoint(200.0, 30.0, 0.0);
+  asked->SetPoints(points);
+  scene.Probe->SetInputData(2, asked);
+  const auto elevationAt = [&](double time)
+  {
+    scene.Probe->UpdateTimeStep(time);
+    return scene.Probe->GetOutput()->GetPointData()->GetArray("SurfaceElevation")->GetComponent(0, 0);
+  };
+  // The period is 9 s.
+  const double first = elevationAt(0.0);
+  EXPECT_NEAR(elevationAt(4.5), -first, 1e-9);
+  EXPECT_NEAR(elevationAt(9.0), first, 1e-9);
+  EXPECT_GT(std::abs(first), 0.05);
+}
+
 TEST(Surface, addsTheHeightsOfOtherWaves)
 {
   Scene scene;
