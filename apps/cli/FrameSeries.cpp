@@ -111,7 +111,12 @@ void shareOut(std::size_t n, std::size_t workers, const std::function<void(std::
   std::vector<std::thread> threads;
   for (std::size_t worker = 1; worker < std::min(workers, n); ++worker)
   {
-    threads.emplace_back(run, worker);
+    threads.emplace_back(
+      [&run, worker]
+      {
+        const WritingThread writing;
+        run(worker);
+      });
   }
   run(0);
   for (std::thread& thread : threads)

@@ -9,9 +9,11 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <mutex>
 
 #include <fcntl.h>
+#include <pthread.h>
 #include <unistd.h>
 
 namespace swellray::cli
@@ -29,8 +31,58 @@ struct Unfinished
 std::array<Unfinished, 32> unfinished;
 std::mutex remembering;
 
+struct Writer
+{
+  std::atomic<bool> used{ false };
+  pthread_t thread{};
+};
+std::array<Writer, 32> writers;
+std::atomic<int> parked{ 0 };
+std::atomic<bool> stopping{ false };
+
+// To park a thread; nothing else here uses signals of this kind.
+int parkSignal()
+{
+  return SIGRTMIN + 3;
+}
+
+void park(int)
+{
+  ++parked;
+  for (;;)
+  {
+    pause();
+  }
+}
+
+// A thread that went on writing would make its file again after it was removed.
+void parkWriters()
+{
+  int asked = 0;
+  for (const Writer& writer : writers)
+  {
+    if (writer.used && pthread_equal(writer.thread, pthread_self()) == 0 &&
+      pthread_kill(writer.thread, parkSignal()) == 0)
+    {
+      ++asked;
+    }
+  }
+  // One that was about to end parks no more.
+  constexpr int longest = 500;
+  constexpr timespec aMillisecond{ 0, 1000000 };
+  for (int waited = 0; waited < longest && parked < asked; ++waited)
+  {
+    nanosleep(&aMillisecond, nullptr);
+  }
+}
+
 void removeUnfinished(int signal)
 {
+  while (stopping.exchange(true))
+  {
+    pause(); // another thread is at it
+  }
+  parkWriters();
   for (const Unfinished& file : unfinished)
   {
     if (file.used)
@@ -115,6 +167,29 @@ OutputFile::~OutputFile()
   forget(this->Slot);
 }
 
+WritingThread::WritingThread()
+{
+  const std::lock_guard<std::mutex> lock(remembering);
+  for (std::size_t i = 0; i < writers.size(); ++i)
+  {
+    if (!writers[i].used)
+    {
+      writers[i].thread = pthread_self();
+      writers[i].used = true;
+      this->Slot = static_cast<int>(i);
+      return;
+    }
+  }
+}
+
+WritingThread::~WritingThread()
+{
+  if (this->Slot >= 0)
+  {
+    writers[static_cast<std::size_t>(this->Slot)].used = false;
+  }
+}
+
 UnfinishedFile::UnfinishedFile(const std::string& path)
   : Slot(path.empty() ? -1 : remember(path))
 {
@@ -152,6 +227,8 @@ void OutputFile::commit()
 
 void installSignalHandlers()
 {
+  static const WritingThread main;
+  std::signal(parkSignal(), park);
   std::signal(SIGINT, removeUnfinished);
   std::signal(SIGTERM, removeUnfinished);
   std::signal(SIGHUP, removeUnfinished);

@@ -60,6 +60,22 @@ private:
   int Slot = -1;
 };
 
+/**
+ * A thread that writes files, while this is there: SIGINT and SIGTERM hold it before they remove what it writes. The one that
+ * installs the handlers is one of its own accord.
+ */
+class WritingThread
+{
+public:
+  WritingThread();
+  ~WritingThread();
+  WritingThread(const WritingThread&) = delete;
+  WritingThread& operator=(const WritingThread&) = delete;
+
+private:
+  int Slot = -1;
+};
+
 /** Remove unfinished files on SIGINT and SIGTERM; let a write past the size limit fail instead of killing us. */
 void installSignalHandlers();
 
