@@ -193,6 +193,7 @@ void setFields(
   swellray::setFieldValue(output, "LaunchWidth", field.launchWidth);
   swellray::setFieldValue(output, "StepsPerWave", field.stepsPerWave);
   swellray::setFieldInteger(output, "Fronts", static_cast<int>(field.fronts));
+  swellray::setFieldValue(output, "RaySteps", static_cast<double>(field.steps));
   swellray::setFieldInteger(output, "RayCapReached", field.rayCapReached ? 1 : 0);
   swellray::setFieldInteger(output, "StepCapReached", field.stepCapReached ? 1 : 0);
   swellray::setCaustics(output, field.caustics);

@@ -59,8 +59,8 @@ class WaveSource;
  * Field data: that of the input, and Period (s), DirectionFrom (nautical degrees; from a source where the wave first meets the scene),
  * SourceDistance (m, from the source to there), LaunchPoints (int, where rays start from points; LaunchParameter then counts them), WaveHeight (m, incident),
  * OffshoreDepth (m, infinite: deep), Gravity (m/s2), WaterLevel (m), LaunchSpacing, MaxSpacing, LaunchWidth (m: as
- * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RayCapReached, StepCapReached (int), DispersionError (largest
- * | |k|/k(h) - 1 | on a ray, with a current | (sigma + k.U)/omega - 1 |) and
+ * used), StepsPerWave (as used, 0: fronts of equal length), Fronts, RaySteps (steps of all rays), RayCapReached,
+ * StepCapReached (int), DispersionError (largest | |k|/k(h) - 1 | on a ray, with a current | (sigma + k.U)/omega - 1 |) and
  * SwellrayVersion. With obstacles they go along: ObstaclePoints (2 components, m), ObstacleOffsets (int: where each
  * begins), ObstacleRings (unsigned char, 1: closed) and ObstacleReflection.
  * Where rays touch caustics also CausticPoints, a tuple for each such place with the components RayId,

@@ -296,6 +296,8 @@ int vtkSwellSpectralMap::RequestData(
     double* direction = add("MeanDirectionFrom");
     double* spread = add("DirectionalSpread");
     unsigned char* breaking = swellray::addArray<vtkUnsignedCharArray>(out, "Breaking", count);
+    double rays = 0.0;
+    double steps = 0.0;
     for (std::size_t i = 0; i < seas.size(); ++i)
     {
       const swellray::SeaParameters& here = seas[i].parameters;
@@ -308,6 +310,8 @@ int vtkSwellSpectralMap::RequestData(
       direction[i] = here.meanDirectionFrom;
       spread[i] = here.spread;
       breaking[i] = seas[i].breaking ? 1 : 0;
+      rays += static_cast<double>(seas[i].rays);
+      steps += static_cast<double>(seas[i].steps);
     }
     out->SetActiveScalars("SignificantWaveHeight");
     output->GetFieldData()->PassData(image->GetFieldData());
@@ -318,6 +322,8 @@ int vtkSwellSpectralMap::RequestData(
     swellray::setFieldValue(output, "OffshoreMeanDirectionFrom", offshore.meanDirectionFrom);
     swellray::setFieldValue(output, "OffshoreDirectionalSpread", offshore.spread);
     swellray::setFieldValue(output, "WaterLevel", this->WaterLevel);
+    swellray::setFieldValue(output, "Rays", rays);
+    swellray::setFieldValue(output, "RaySteps", steps);
     swellray::setFieldString(output, "SwellrayVersion", SWELLRAY_VERSION);
     for (const std::string& note : current ? this->Water->notes() : std::vector<std::string>())
     {

@@ -36,8 +36,8 @@ class vtkDoubleArray;
  *   (Tm-10) (s), MeanDirectionFrom (nautical degrees), DirectionalSpread (circular standard deviation, degrees)
  * - Breaking (unsigned char): 1 where the sea is limited by the depth
  * and as field data that of the seafloor, and OffshoreSignificantWaveHeight (m), OffshorePeakPeriod (s),
- * OffshoreMeanDirectionFrom, OffshoreDirectionalSpread (degrees) of the spectrum as used, WaterLevel (m),
- * SwellrayVersion. After an abort the output is empty.
+ * OffshoreMeanDirectionFrom, OffshoreDirectionalSpread (degrees) of the spectrum as used, WaterLevel (m), Rays (that the
+ * seas are made of), RaySteps (of the integrator, of those that do not come from a file), SwellrayVersion. After an abort the output is empty.
  *
  * The sea offshore is that of BoundaryFileName (the first spectrum of the file), or else of Wind, or else of
  * SignificantHeight and PeakPeriod.

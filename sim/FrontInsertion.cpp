@@ -232,6 +232,7 @@ void FrontMarch::insertRays()
       {
         if (job->ray.path)
         {
+          this->Steps += job->ray.path->steps();
           this->Evaluations += job->ray.path->evaluations();
         }
         if (job->severed)

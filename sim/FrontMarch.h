@@ -151,6 +151,7 @@ private:
   std::set<std::tuple<std::int32_t, double, std::uint32_t>>
     Family; // launch segment, parameter, ray: where walls reflect
   std::size_t Points = 0;
+  std::size_t Steps = 0;
   std::size_t Evaluations = 0;
   bool RayCapReached = false;
   bool StepCapReached = false;

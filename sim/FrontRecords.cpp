@@ -43,6 +43,7 @@ void FrontMarch::retire(std::uint32_t index)
   {
     ray.info.dispersionError = ray.path->dispersionError();
     ray.caustics = ray.info.lee ? std::vector<RayCaustic>() : ray.path->caustics();
+    this->Steps += ray.path->steps();
     this->Evaluations += ray.path->evaluations();
     ray.path.reset();
   }
@@ -82,6 +83,7 @@ RayField FrontMarch::collect()
   field.rayCapReached = this->RayCapReached;
   field.stepCapReached = this->StepCapReached;
   field.cancelled = this->Cancelled;
+  field.steps = this->Steps;
   field.evaluations = this->Evaluations;
   field.rays.reserve(this->Rays.size());
   for (Ray& ray : this->Rays)

@@ -40,8 +40,6 @@ public:
 
   std::vector<RayCaustic> caustics() override;
 
-  std::size_t steps() const { return this->Steps; }
-
 private:
   using State = rayequations::State;
 
@@ -100,7 +98,6 @@ private:
   RayMedium Medium;
   double Tolerance;
   std::size_t MaxSteps;
-  std::size_t Steps = 0;
   double DryDepth;
   unsigned Region = 0;
   std::optional<std::size_t> LeavingWall; // on which the first step starts

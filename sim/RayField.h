@@ -94,6 +94,7 @@ struct RayField
   bool rayCapReached = false;           ///< no more rays were inserted because of the cap
   bool stepCapReached = false;          ///< rays ended because of the cap on fronts or steps
   bool cancelled = false;
+  std::size_t steps = 0;       ///< steps of all rays, those of inserted ones on their way to the front among them
   std::size_t evaluations = 0; ///< evaluations of the ray equations
 
   /**

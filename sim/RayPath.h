@@ -95,6 +95,8 @@ public:
   double length() const { return this->ReadLength; }
   /** Largest ||k|/k(h) - 1| seen; on a current |(sigma + k.U)/omega - 1|. */
   double dispersionError() const { return this->DispersionError; }
+  /** Steps made so far. */
+  std::size_t steps() const { return this->Steps; }
   /** Evaluations of the ray equations so far. */
   std::size_t evaluations() const { return this->Evaluations; }
 
@@ -103,6 +105,7 @@ protected:
   EndReason Reason = EndReason::StepCap;
   double ReadLength = 0.0;
   double DispersionError = 0.0;
+  std::size_t Steps = 0;
   std::size_t Evaluations = 0;
   std::optional<WallHit> Wall;
   std::optional<RayStart> Reflected;

@@ -37,7 +37,6 @@ private:
   RayMedium Medium;
   double Step;
   std::size_t MaxSteps;
-  std::size_t Steps = 0;
   Place Before;
   Place After;
   bool Terminal = false;

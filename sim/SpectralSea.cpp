@@ -98,6 +98,8 @@ std::vector<PlaceSea> transformPlaces(const SpectralSeaOptions& options, const D
           {
             continue;
           }
+          sea.rays = origins.headings.size();
+          sea.steps = origins.steps;
           SpectralTransfer(options.rays, offshore.grid, origins).apply(offshore.density, spectrum);
           sea.breaking = options.breaking == BreakingRule::Gamma &&
             saturate(spectrum, sea.depth, options.gamma.value_or(SaturationGamma));
@@ -105,6 +107,8 @@ std::vector<PlaceSea> transformPlaces(const SpectralSeaOptions& options, const D
           {
             const SpectralSurf::Outcome outcome = surf->at(origins.place, sea.depth, spectrum);
             sea.breaking = outcome.breaking;
+            sea.rays += outcome.rays;
+            sea.steps += outcome.steps;
             scale(spectrum, outcome.share);
           }
           sea.known = true;

@@ -33,6 +33,8 @@ struct PlaceSea
   double depth = 0.0; ///< m; NaN in a hole or outside
   bool known = false; ///< the place is in water; otherwise all parameters are NaN
   bool breaking = false;
+  std::size_t rays = 0;  ///< that it is made of, those by which it breaks among them
+  std::size_t steps = 0; ///< of these rays; 0 of those from a file
   SeaParameters parameters;
 };
 

@@ -58,9 +58,11 @@ SpectralSurf::SpectralSurf(const BackwardTracer& tracer, const SpectralRays& ray
   this->Gamma = gamma.value_or(battjesStiveGamma(this->Height / std::sqrt(2.0) * inDeepWater / length));
 }
 
-double SpectralSurf::rootMeanSquareHeight(const glm::dvec2& place) const
+double SpectralSurf::rootMeanSquareHeight(const glm::dvec2& place, Outcome& outcome) const
 {
   const std::vector<SpectralOrigins> origins = traceOrigins(this->Tracer, this->Rays, { place });
+  outcome.rays += origins.front().headings.size();
+  outcome.steps += origins.front().steps;
   if (origins.front().headings.empty())
   {
     return std::nan("");
@@ -70,7 +72,8 @@ double SpectralSurf::rootMeanSquareHeight(const glm::dvec2& place) const
   return seaParameters(spectrum).significantHeight / std::sqrt(2.0);
 }
 
-double SpectralSurf::shareAlong(const std::vector<RayPoint>& way, const SurfRule& rule, double height) const
+double SpectralSurf::shareAlong(
+  const std::vector<RayPoint>& way, const SurfRule& rule, double height, Outcome& outcome) const
 {
   const double highest = std::max(this->Height, height * std::sqrt(2.0));
   const auto first =
@@ -92,7 +95,7 @@ double SpectralSurf::shareAlong(const std::vector<RayPoint>& way, const SurfRule
   for (std::size_t i = 0; i < knots; ++i)
   {
     const std::size_t j = knots > 1 ? begin + i * (last - begin) / (knots - 1) : last;
-    const double there = j == last ? height : this->rootMeanSquareHeight(way[j].position);
+    const double there = j == last ? height : this->rootMeanSquareHeight(way[j].position, outcome);
     if (there > 0.0)
     {
       at.push_back(static_cast<double>(j));
@@ -155,6 +158,7 @@ SpectralSurf::Outcome SpectralSurf::at(const glm::dvec2& place, double depth, co
   {
     most = std::max(most, unbroken.at(peak, j));
   }
+  Outcome outcome;
   double energy = 0.0;
   double left = 0.0;
   std::vector<RayPoint> way;
@@ -167,17 +171,21 @@ SpectralSurf::Outcome SpectralSurf::at(const glm::dvec2& place, double depth, co
     }
     const double frequency = unbroken.grid.frequencies[peak];
     const WaveOrigin origin = this->Tracer.trace(place, frequency, headings[j], PointsPerWave, way);
+    ++outcome.rays;
+    outcome.steps += origin.steps;
     if (std::isfinite(origin.heading) && way.size() > 1)
     {
       energy += part;
-      left += part * this->shareAlong(way, rule, height);
+      left += part * this->shareAlong(way, rule, height, outcome);
     }
   }
   const double share = energy > 0.0 ? left / energy : 1.0;
   const double k = solveWavenumber(2.0 * Pi / this->Period, depth, gravity);
   const BreakingMarch here(
     rule, sampleOf(depth, k, waveSpeeds(k, depth, gravity).groupSpeed, height * std::sqrt(share)));
-  return { share * here.share(), here.broken() };
+  outcome.share = share * here.share();
+  outcome.breaking = here.broken();
+  return outcome;
 }
 
 }

@@ -25,6 +25,8 @@ public:
   {
     double share = 1.0;    ///< of the energy that is left
     bool breaking = false; ///< more than 5 % of the waves are broken
+    std::size_t rays = 0;  ///< traced for it
+    std::size_t steps = 0; ///< of these rays
   };
 
   /**
@@ -45,8 +47,8 @@ public:
   double gamma() const { return this->Gamma; }
 
 private:
-  double shareAlong(const std::vector<RayPoint>& way, const SurfRule& rule, double height) const;
-  double rootMeanSquareHeight(const glm::dvec2& place) const;
+  double shareAlong(const std::vector<RayPoint>& way, const SurfRule& rule, double height, Outcome& outcome) const;
+  double rootMeanSquareHeight(const glm::dvec2& place, Outcome& outcome) const;
 
   const BackwardTracer& Tracer;
   const SpectralRays& Rays;

@@ -135,6 +135,7 @@ std::vector<SpectralOrigins> traceOrigins(const BackwardTracer& tracer, const Sp
       origins.gains.resize(frequencies * directions);
     }
   }
+  std::vector<std::size_t> steps(places.size() * frequencies, 0);
   // Work is dealt out place by frequency, in batches between which progress is told.
   constexpr std::size_t Batches = 100;
   const std::size_t items = places.size() * frequencies;
@@ -154,6 +155,7 @@ std::vector<SpectralOrigins> traceOrigins(const BackwardTracer& tracer, const Sp
             const WaveOrigin origin = tracer.trace(origins.place, rays.grid.frequencies[f], rays.heading(j));
             origins.headings[f * directions + j] = origin.heading;
             origins.gains[f * directions + j] = std::isnan(origin.heading) ? 0.0 : origin.gain;
+            steps[item] += origin.steps;
           }
         }
       });
@@ -161,6 +163,10 @@ std::vector<SpectralOrigins> traceOrigins(const BackwardTracer& tracer, const Sp
     {
       break;
     }
+  }
+  for (std::size_t item = 0; item < items; ++item)
+  {
+    result[item / frequencies].steps += steps[item];
   }
   return result;
 }

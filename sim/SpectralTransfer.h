@@ -24,6 +24,8 @@ struct SpectralOrigins
    */
   std::vector<double> headings;
   std::vector<double> gains;
+
+  std::size_t steps = 0; ///< of all these rays; 0 where they come from a file
 };
 
 /**

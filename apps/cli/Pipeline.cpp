@@ -13,22 +13,10 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 namespace swellray::cli
 {
-
-namespace
-{
-
-// Rays that are traced to plan the others.
-constexpr double PilotRays = 50.0;
-
-// Memory of a trace over that of the rays with their arrays: the fronts as they are recorded come beside.
-constexpr double CopiesOfRays = 2.0;
-
-}
 
 Pipeline::Pipeline(const Request& request, Console& console)
   : Asked(request)
@@ -120,48 +108,6 @@ void Pipeline::takeLaunch()
       component->tracer->SetInputData(1, launch);
     }
   }
-}
-
-RayPlan Pipeline::planRays()
-{
-  this->takeLaunch();
-  // One front tells what the trace chooses; its warnings are not those of the trace.
-  const int insertion = this->Tracer->GetInsertion();
-  const vtkIdType fronts = this->Tracer->GetMaximumNumberOfFronts();
-  this->Tracer->SetInsertion(vtkSwellRayTracer::INSERT_NONE);
-  this->Tracer->SetMaximumNumberOfFronts(1);
-  this->Tracer->Update();
-  vtkPolyData* chosen = this->Tracer->GetOutput();
-  const auto value = [&](const char* name) { return fieldNumber(chosen, name).value_or(0.0); };
-  const double spacing = value("LaunchSpacing");
-  const bool fromPoints = fieldNumber(chosen, "LaunchPoints").has_value();
-  RayPlan plan;
-  plan.launched = static_cast<double>(chosen->GetNumberOfCells());
-  double thinned = 1.0;
-  if (spacing > 0.0 && !fromPoints)
-  {
-    thinned = std::max(1.0, value("LaunchWidth") / spacing / PilotRays);
-    this->Tracer->SetSpacing(thinned * spacing);
-    this->Tracer->SetMaxSpacing(thinned * value("MaxSpacing"));
-    if (!this->Asked.rays.trace.step)
-    {
-      this->Tracer->SetStepsPerWave(value("StepsPerWave"));
-    }
-  }
-  this->Tracer->SetInsertion(insertion);
-  this->Tracer->SetMaximumNumberOfFronts(fronts);
-  const auto begin = std::chrono::steady_clock::now();
-  runFilter(this->Tracer, "planning", this->Screen);
-  vtkPolyData* rays = this->computeHeights();
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  plan.rays = std::min(thinned * static_cast<double>(rays->GetNumberOfCells()),
-    std::max(plan.launched, static_cast<double>(this->Tracer->GetMaximumNumberOfRays())));
-  plan.points = thinned * static_cast<double>(rays->GetNumberOfPoints());
-  plan.fronts = fieldNumber(rays, "Fronts").value_or(0.0);
-  constexpr double Kibibyte = 1024.0;
-  plan.bytes = CopiesOfRays * thinned * Kibibyte * static_cast<double>(rays->GetActualMemorySize());
-  plan.seconds = thinned * seconds.count();
-  return plan;
 }
 
 vtkPolyData* Pipeline::traceRays()

@@ -2,6 +2,7 @@
 
 #include "Console.h"
 #include "FilterSettings.h"
+#include "RayPlan.h"
 #include "Request.h"
 
 #include <vtkNew.h>
@@ -32,17 +33,6 @@ class vtkPolyData;
 namespace swellray::cli
 {
 
-/** What a trace will take, found by tracing a few of its rays. */
-struct RayPlan
-{
-  double launched = 0.0; ///< rays
-  double rays = 0.0;     ///< with those inserted
-  double points = 0.0;
-  double fronts = 0.0;
-  double bytes = 0.0;   ///< of memory
-  double seconds = 0.0; ///< on the threads in use
-};
-
 /** The filters that one call needs, set up from its request. Each is run by the step that asks for its output. */
 class Pipeline
 {
@@ -64,7 +54,10 @@ public:
   /** Trace at this water level from now on, m. */
   void setWaterLevel(double level);
 
-  /** What traceRays() and computeHeights() will take. To be called before them or not at all. @throws WorkError */
+  /**
+   * What traceRays() and computeHeights() will take. To be called before them or not at all; surface, foam and spray are then
+   * those of the rays that told it. @throws WorkError
+   */
   RayPlan planRays();
 
   /** Trace, without heights. @throws WorkError */

@@ -11,6 +11,7 @@
 #include "SeaSeries.h"
 #include "StationTable.h"
 #include "Sweep.h"
+#include "WorkPlan.h"
 
 #include "bathymetry/SpectrumFile.h"
 #include "bathymetry/TransferFile.h"
@@ -150,7 +151,7 @@ void saySea(vtkDataObject* data, const SpectrumRequest& sea, Console& console)
     "rays     {} frequencies, {} directions, {} a direction", sea.frequencies, sea.directions, sea.raysPerDirection));
 }
 
-void sayHeights(vtkDataSet* data, const char* what, double seconds, std::size_t raysAPlace, Console& console)
+void sayHeights(vtkDataSet* data, const char* what, double seconds, Console& console)
 {
   vtkDataArray* heights = data->GetPointData()->GetArray("SignificantWaveHeight");
   vtkDataArray* breaking = data->GetPointData()->GetArray("Breaking");
@@ -174,8 +175,11 @@ void sayHeights(vtkDataSet* data, const char* what, double seconds, std::size_t 
     console.warn(fmt::format("none of the {} lies in water", what));
     return;
   }
-  console.say(fmt::format("{:<8} Hs {:.3g} to {:.3g} m; limited by the depth at {} of {}; {:.3g} rays a second", what,
-    least, most, broken, wet, static_cast<double>(wet) * static_cast<double>(raysAPlace) / seconds));
+  console.say(
+    fmt::format("{:<8} Hs {:.3g} to {:.3g} m; limited by the depth at {} of {}", what, least, most, broken, wet));
+  const auto count = [&](const char* name) { return fieldNumber(data, name).value_or(0.0); };
+  console.say(fmt::format("traced   {:.0f} rays in {:.0f} steps; {:.3g} s, {:.3g} rays a second", count("Rays"),
+    count("RaySteps"), seconds, count("Rays") / seconds));
 }
 
 std::vector<SpectrumRecord> recordsOf(vtkSwellSpectralMap* filter, vtkPolyData* places, const Georeference& scene)
@@ -220,27 +224,31 @@ void planRays(
   vtkSwellSpectralMap* filter, vtkDataSet* places, const char* what, std::size_t raysAPlace, Console& console)
 {
   constexpr vtkIdType Sampled = 12;
+  filter->SetTransferFileName(nullptr);
+  // The first place waits for the seafloor's spline, which is made once.
+  filter->SetInputData(0, sampleOf(places, 1));
+  runFilter(filter, "planning", console);
   const vtkNew<vtkPolyData> sample = sampleOf(places, Sampled);
   filter->SetInputData(0, sample);
-  filter->SetTransferFileName(nullptr);
   const auto begin = std::chrono::steady_clock::now();
   runFilter(filter, "planning", console);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   vtkDataArray* heights = filter->GetOutput()->GetPointData()->GetArray("SignificantWaveHeight");
-  vtkIdType wet = 0;
+  double wet = 0.0;
   for (vtkIdType i = 0; i < heights->GetNumberOfTuples(); ++i)
   {
-    wet += std::isfinite(heights->GetComponent(i, 0)) ? 1 : 0;
+    wet += std::isfinite(heights->GetComponent(i, 0)) ? 1.0 : 0.0;
   }
   const double share =
     static_cast<double>(places->GetNumberOfPoints()) / static_cast<double>(sample->GetNumberOfPoints());
-  const double rays = static_cast<double>(wet) * share * static_cast<double>(raysAPlace);
-  constexpr double Gigabyte = 1e9;
-  console.say(fmt::format("plan     about {:.2g} rays from {} {}, some {:.2g} of them in water; {} rays a place", rays,
-    places->GetNumberOfPoints(), what, static_cast<double>(wet) * share, raysAPlace));
-  console.say(
-    fmt::format("cost     about {:.2g} s, and {:.2g} GB of memory where the rays are kept (--transfer, --series)",
-      share * seconds.count(), rays * sizeof(double) * 2 / Gigabyte));
+  const auto whole = [&](double sampled) { return Estimate{ share * sampled, share * sampled }; };
+  const auto traced = [&](const char* name) { return whole(fieldNumber(filter->GetOutput(), name).value_or(0.0)); };
+  const Estimate rays = traced("Rays");
+  console.say(fmt::format("plan     {} rays in {} steps from {} {}, some {:.0f} of them in water; {} rays a place",
+    rays.text(), traced("RaySteps").text(), places->GetNumberOfPoints(), what, share * wet, raysAPlace));
+  constexpr double NumbersARay = 2.0;
+  console.say(fmt::format("cost     {}; {} of memory where the rays are kept (--transfer, --series)",
+    timeText(whole(seconds.count())), memoryText(NumbersARay * sizeof(double) * rays)));
 }
 
 void runSpectrum(const Request& request, Console& console)
@@ -311,7 +319,7 @@ void runSpectrum(const Request& request, Console& console)
       saySea(filter->GetOutputDataObject(0), sea, console);
       said = true;
     }
-    sayHeights(filter->GetOutput(), task, seconds.count(), raysAPlace, console);
+    sayHeights(filter->GetOutput(), task, seconds.count(), console);
   };
   if (stations)
   {

@@ -10,6 +10,7 @@
 #include "SurfaceOptions.h"
 #include "SurfaceTable.h"
 #include "TimeSeriesOption.h"
+#include "WorkPlan.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@
 #include <vtkPolyData.h>
 
 #include <array>
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -41,8 +43,12 @@ void checkSurface(Request& request)
   {
     throw UsageError("--at and --table belong together; give both");
   }
+  if (request.planOnly && (!surface.components.empty() || request.render.sceneOnly))
+  {
+    throw UsageError("--dry-run plans the surface of one wave by its rays; leave out --component and --camera");
+  }
   if (request.output.file.empty() && request.output.spray.empty() && request.output.foam.empty() &&
-    request.output.table.empty())
+    request.output.table.empty() && !request.planOnly)
   {
     throw UsageError("surface has nothing to write: give -o FILE.vtp, -o FILE.pvd with --times, --spray FILE, --foam "
                      "FILE, or --at POINTS.csv --table FILE.csv");
@@ -104,8 +110,33 @@ void sayFoam(vtkDataSet* foam, const Console& console)
   console.say(fmt::format("foam     {} x {} nodes, {:g} x {:g} m apart", nodes[0], nodes[1], spacing[0], spacing[1]));
 }
 
+// What rays and surface will take, by those of a few rays: its points are as many as the rays'.
+void planSurface(const Request& request, Console& console)
+{
+  Pipeline pipeline(request, console);
+  pipeline.readSeafloor();
+  const RayPlan plan = pipeline.planRays();
+  sayPlan(plan, console);
+  const SurfaceRequest& asked = request.surface;
+  const auto begin = std::chrono::steady_clock::now();
+  vtkPolyData* surface = pipeline.makeSurface(asked.times ? asked.times->first : asked.time.value_or(0.0));
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
+  const double frames = asked.times ? static_cast<double>(asked.times->count()) : 1.0;
+  const Estimate share = (1.0 / plan.sampled) * plan.rays;
+  constexpr double Kibibyte = 1024.0;
+  console.say(fmt::format("surface  {} points, {} of memory, in each of {:.0f} frames; {} for all of them",
+    (static_cast<double>(surface->GetNumberOfPoints()) * share).text(),
+    memoryText(Kibibyte * static_cast<double>(surface->GetActualMemorySize()) * share), frames,
+    timeText(frames * seconds.count() * share)));
+}
+
 void runSurface(const Request& request, Console& console)
 {
+  if (request.planOnly)
+  {
+    planSurface(request, console);
+    return;
+  }
   // Every file is opened, and the points are read, before the work that they wait for.
   const SurfaceRequest& surface = request.surface;
   const std::vector<std::string> inputs = inputFiles(request);
@@ -219,7 +250,7 @@ CommandSpec surfaceSpec(Request& request)
       "Output", surface.at),
     outputFile("--table", "the surface at these points, .csv", request.output.table, { ".csv" }),
     flag("--compress", "compress the files (smaller, slower)", "Output", request.output.compress),
-    profileOption(surface),
+    flag("--dry-run", "only say what rays and surface will take", "Output", request.planOnly), profileOption(surface),
     choice("--phase", "phase of the waves: as traced, or along straight lines (Peachey 1986)", "traced", "Surface",
       surface.straightPhase, std::vector<std::pair<std::string, bool>>{ { "traced", false }, { "straight", true } }),
     number("--time", "S", "time, s", "0", "Surface", surface.time, { "seconds" }),

@@ -67,10 +67,11 @@ void sayRays(vtkPolyData* rays, const Console& console)
     lee += isLee ? 1 : 0;
     inserted += !isReflected && !isLee && parents && parents->GetComponent(i, 0) >= 0.0 ? 1 : 0;
   }
-  console.say(fmt::format("rays     {}: {} launched, {} inserted, {} in the lee{}; {} points on {:g} fronts",
+  console.say(fmt::format("rays     {}: {} launched, {} inserted, {} in the lee{}; {} points on {:g} fronts, "
+                          "{:.0f} steps",
     rays->GetNumberOfCells(), rays->GetNumberOfCells() - inserted - lee - reflected, inserted, lee,
     reflections ? fmt::format(", {} reflected", reflected) : "", rays->GetNumberOfPoints(),
-    fieldNumber(rays, "Fronts").value_or(0.0)));
+    fieldNumber(rays, "Fronts").value_or(0.0), fieldNumber(rays, "RaySteps").value_or(0.0)));
   console.say("states   " + tally(rays, "FinalState", { "dead", "alive", "flat", "aground" }));
   console.say("ended    " + tally(rays, "EndReason", endReasonWords()));
 }
@@ -235,17 +236,6 @@ void checkTrace(Request& request)
   {
     throw UsageError("--map-spacing needs --map FILE");
   }
-}
-
-void sayPlan(const RayPlan& plan, const Console& console)
-{
-  constexpr double Gigabyte = 1e9;
-  console.say(
-    fmt::format("plan     {:.3g} rays launched, about {:.2g} with those inserted; about {:.2g} points on {:.3g} "
-                "fronts",
-      plan.launched, std::max(plan.launched, plan.rays), plan.points, plan.fronts));
-  console.say(fmt::format(
-    "cost     about {:.2g} GB of memory and {:.2g} s, beside maps and files", plan.bytes / Gigabyte, plan.seconds));
 }
 
 void runTrace(const Request& request, Console& console)

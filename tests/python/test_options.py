@@ -16,7 +16,7 @@ ELSEWHERE = {
     "spectrum": {"map", "table", "spectra", "map_spacing", "compress", "series", "dry_run"},
     "sea": {"output", "height_map", "normal_map", "picture", "picture_size", "compress", "times", "eye", "look"},
     "contour": {"output", "compress", "points"},
-    "surface": {"output", "compress", "times", "spray", "foam", "at", "table", "component"},
+    "surface": {"output", "compress", "times", "spray", "foam", "at", "table", "component", "dry_run"},
 }
 COMMON = {"config", "threads", "quiet", "help"}
 SEAFLOOR = {"water_level", "positive", "crs", "crop", "resample", "smooth", "nodata", "variable", "max_gap",

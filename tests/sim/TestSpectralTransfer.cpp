@@ -290,6 +290,36 @@ TEST(SpectralTransfer, comesToTheFluxOfEnergyAtSecondOrder)
   EXPECT_LT(third, 1e-3);
 }
 
+TEST(SpectralTransfer, countsTheStepsOfItsRaysOnAnyThread)
+{
+  const BackwardTracer tracer(*Wide, options(1e-6));
+  SpectralRays rays;
+  rays.grid = SpectralGrid::logarithmic(0.05, 0.35, 6, 12);
+  const std::vector<glm::dvec2> places{ { 200.0, 0.0 }, { 400.0, 30.0 }, { -100.0, 0.0 } };
+  Execution threads;
+  threads.loop = [](std::size_t count, const std::function<void(std::size_t, std::size_t)>& body)
+  {
+    std::thread half([&] { body(0, count / 2); });
+    body(count / 2, count);
+    half.join();
+  };
+  const auto origins = traceOrigins(tracer, rays, places, threads);
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    std::size_t steps = 0;
+    for (const double frequency : rays.grid.frequencies)
+    {
+      for (const double heading : rays.grid.headings)
+      {
+        steps += tracer.trace(places[i], frequency, heading).steps;
+      }
+    }
+    EXPECT_EQ(origins[i].steps, steps) << i;
+  }
+  EXPECT_GT(origins[0].steps, 6u * 12u);
+  EXPECT_EQ(origins[2].steps, 0u); // on land
+}
+
 TEST(SpectralTransfer, islandsCastShadows)
 {
   const auto island = makeBuiltinSeafloor("island");
