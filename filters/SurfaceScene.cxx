@@ -128,11 +128,14 @@ SurfaceScene::SurfaceScene(
 
   std::vector<double> phase(sheet.pointCount());
   std::vector<double> breakingPhase(sheet.pointCount());
+  std::vector<double> foamShare(sheet.pointCount());
   std::vector<double> launchParameter(sheet.pointCount(), 0.0);
   for (std::size_t i = 0; i < breakingPhase.size(); ++i)
   {
     phase[i] = this->Surface->phase(i);
-    breakingPhase[i] = this->Surface->breakingPhase(i);
+    const FoamOrigin origin = this->Surface->foamOrigin(i);
+    breakingPhase[i] = origin.begin;
+    foamShare[i] = origin.share;
   }
   for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
   {
@@ -144,7 +147,7 @@ SurfaceScene::SurfaceScene(
     launchParameter[sheet.rayPointCount() + i] = launchParameter[static_cast<std::size_t>(sheet.BeachBase[i])];
   }
   this->Arrays = { makeArray<vtkDoubleArray>("RayPhase", phase),
-    makeArray<vtkDoubleArray>("BreakingPhase", breakingPhase),
+    makeArray<vtkDoubleArray>("BreakingPhase", breakingPhase), makeArray<vtkDoubleArray>("FoamShare", foamShare),
     makeArray<vtkDoubleArray>("LaunchParameter", launchParameter),
     makeArray<vtkDoubleArray>("WaveHeight", sheet.Height), makeArray<vtkUnsignedCharArray>("RayState", sheet.State) };
   if (settings.groups.any())

@@ -66,7 +66,8 @@ public:
   const SurfaceOptions& options() const { return this->Options; }
   vtkCellArray* triangles() const { return this->Triangles; }
 
-  /** RayPhase, BreakingPhase, LaunchParameter, WaveHeight, RayState, with groups GroupTime, BrokenShare: one entry a point. */
+  /** RayPhase, BreakingPhase, FoamShare, LaunchParameter, WaveHeight, RayState, with groups GroupTime, BrokenShare: one
+   *  entry a point. */
   const std::vector<vtkSmartPointer<vtkDataArray>>& arrays() const { return this->Arrays; }
 
 private:

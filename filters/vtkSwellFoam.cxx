@@ -35,6 +35,12 @@ int vtkSwellFoam::RequestData(vtkInformation*, vtkInformationVector** inputVecto
 
     swellray::FoamPlaces places{ static_cast<std::size_t>(count), phase->GetPointer(0), breaking->GetPointer(0),
       parameter->GetPointer(0) };
+    vtkSmartPointer<vtkDoubleArray> foamShare;
+    if (input->GetPointData()->HasArray("FoamShare"))
+    {
+      foamShare = swellray::requireDoubles(input->GetPointData(), "FoamShare", count);
+      places.foamShare = foamShare->GetPointer(0);
+    }
     options.groups.waves = swellray::fieldValue(input, "GroupWaves").value_or(0.0);
     vtkSmartPointer<vtkDoubleArray> groupTime;
     vtkSmartPointer<vtkDoubleArray> brokenShare;

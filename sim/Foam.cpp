@@ -14,9 +14,6 @@ namespace swellray
 namespace
 {
 
-// Foam sets in over this phase.
-constexpr double OnsetPhase = 2.0 * Pi / 16.0;
-
 // Waves of a group that are lower by this share than those that break begin to leave foam.
 constexpr double OnsetShare = 0.02;
 
@@ -57,10 +54,10 @@ double foamAt(double phase, double breakingPhase, double launchParameter, double
   double age = passed + 2.0 * Pi * wave - phase;
   while (age < life)
   {
-    const double delay = broken >= largestDelay + OnsetPhase || !(largestDelay > 0.0) ? 0.0
-                                                                                      : largestDelay *
+    const double delay = broken >= largestDelay + FoamOnsetPhase || !(largestDelay > 0.0) ? 0.0
+                                                                                          : largestDelay *
         breakingDelay(options.seed, static_cast<std::int64_t>(wave), launchParameter, options.wavelength);
-    double share = std::clamp((broken - delay) / OnsetPhase, 0.0, 1.0);
+    double share = std::clamp((broken - delay) / FoamOnsetPhase, 0.0, 1.0);
     if (options.groups.any())
     {
       const double high = options.groups.share(time - age / omega - groupTime, options.period);
@@ -89,9 +86,11 @@ void computeFoam(
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        foam[i] = static_cast<float>(foamAt(places.phase[i], places.breakingPhase[i],
-          places.launchParameter ? places.launchParameter[i] : 0.0, time, used,
-          used.groups.any() ? places.groupTime[i] : 0.0, used.groups.any() ? places.brokenShare[i] : 1.0));
+        const double left = places.foamShare ? places.foamShare[i] : 1.0;
+        foam[i] = static_cast<float>(left *
+          foamAt(places.phase[i], places.breakingPhase[i], places.launchParameter ? places.launchParameter[i] : 0.0,
+            time, used, used.groups.any() ? places.groupTime[i] : 0.0,
+            used.groups.any() ? places.brokenShare[i] : 1.0));
       }
     });
 }

@@ -32,6 +32,7 @@ struct FoamPlaces
   const double* launchParameter = nullptr; ///< m; null allowed where the variation is 0
   const double* groupTime = nullptr;       ///< as WaveSurface::groupTime; these two: null allowed without groups
   const double* brokenShare = nullptr;     ///< as WaveSurface::brokenShare
+  const double* foamShare = nullptr;       ///< as FoamOrigin::share; null allowed: 1 everywhere
 };
 
 /**
@@ -39,7 +40,8 @@ struct FoamPlaces
  * the time t_n = (S - 2 pi n)/omega, and is broken there where S has reached its breaking, which the trace gives, and
  * the wave's own delay. Of every such wave there is 1 - (t - t_n)/life, down to 0, within a sixteenth of a wave from where
  * its breaking began only its share of that; the place has the largest. Of a group only waves count that are high enough to
- * break there, share >= brokenShare, from a fiftieth below that on in part.
+ * break there, share >= brokenShare, from a fiftieth below that on in part. Behind the end of breaking only a share of all
+ * this is left (SurfHistory::foam).
  * @param time t, s
  * @param foam one entry a place, 0 to 1
  * @throws std::invalid_argument on bad options

@@ -175,7 +175,8 @@ double Spray::speedOf(std::size_t ray, double phase, double plunge) const
     return at.ripeness * speed;
   }
   return plunge > 0.0
-    ? orbitalSpeed(steepness(at), steepness(this->onRay(ray, phase - plunge * stretch->plungePhase)), speed)
+    ? orbitalSpeed(steepness(at),
+        steepness(this->onRay(ray, std::max(stretch->begin, phase - plunge * stretch->plungePhase))), speed)
     : speed;
 }
 

@@ -56,8 +56,13 @@ StillFoam::StillFoam(
               const auto& since = sheet.breakingPhase;
               if (std::any_of(since.begin(), since.end(), [](double phase) { return !std::isnan(phase); }))
               {
+                std::array<double, 3> weight = sheet.weight;
+                for (std::size_t c = 0; c < 3; ++c)
+                {
+                  weight[c] *= sheet.foamShare[c];
+                }
                 found[block].push_back({ static_cast<std::uint32_t>(w), sheet.phase, sheet.groupTime, sheet.brokenShare,
-                  sheet.weight, since, sheet.launchParameter });
+                  weight, since, sheet.launchParameter });
               }
             }
           }

@@ -42,7 +42,7 @@ public:
   std::size_t foamingCount() const { return this->Foaming; }
 
 private:
-  // A sheet with broken waves over a place: corners as SheetPlace.
+  // A sheet with broken waves over a place: corners as SheetPlace, their weight times their share of foam.
   struct Sheet
   {
     std::uint32_t wave = 0;

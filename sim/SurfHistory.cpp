@@ -5,9 +5,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swellray
 {
+
+namespace
+{
+
+// A crest does not come down at once, rad.
+constexpr double SmallestPhase = 1e-9;
+
+// Share of ReformingPhase from which on a lip that is hardly left is drawn back, so that the wave can break anew.
+constexpr double DrawnBack = 0.8;
+
+double smoothStep(double t)
+{
+  t = std::clamp(t, 0.0, 1.0);
+  return t * t * (3.0 - 2.0 * t);
+}
+
+double lipShare(double reforming)
+{
+  return 1.0 - smoothStep((reforming - DrawnBack) / (1.0 - DrawnBack));
+}
+
+}
+
+double rollerShare(double reforming)
+{
+  return 1.0 - smoothStep(reforming);
+}
 
 double plungeDistance(double slope)
 {
@@ -40,24 +68,38 @@ SurfHistory::SurfHistory(const HistoryRay& ray, double breakerIndex)
     const Place begin = this->place(stretch.begin);
     const double height = between(ray.height, begin);
     stretch.index = height / between(ray.depth, begin);
-    stretch.plungePhase = plungeDistance(between(ray.slope, begin)) * height * between(ray.wavenumber, begin);
-    stretch.plungeHeight = between(ray.height, this->place(stretch.begin + stretch.plungePhase));
+    stretch.plungePhase =
+      std::max(SmallestPhase, plungeDistance(between(ray.slope, begin)) * height * between(ray.wavenumber, begin));
     this->Stretches.push_back(stretch);
   }
 }
 
 void SurfHistory::continueFrom(const SurfHistory& parent)
 {
-  if (this->Ray.count == 0 || !this->Ray.breaking[0] || this->Stretches.empty())
+  if (this->Ray.count == 0)
   {
     return;
   }
-  if (const BreakingStretch* before = parent.stretchAt(this->Ray.phase[0]))
+  const double first = this->Ray.phase[0];
+  this->Parent = &parent;
+  const bool goesOn = this->Ray.breaking[0] && parent.stretchAt(first);
+  if (goesOn)
   {
     const double end = this->Stretches.front().end;
-    this->Stretches.front() = *before;
+    this->Stretches.front() = *parent.stretchAt(first);
     this->Stretches.front().end = end;
   }
+  parent.forStretches(
+    [&](const BreakingStretch& stretch)
+    {
+      const bool before = stretch.begin < first && !(goesOn && &stretch == parent.stretchAt(first));
+      if (before)
+      {
+        this->Past.push_back(stretch);
+        this->Past.back().end = std::min(stretch.end, first);
+      }
+      return before;
+    });
 }
 
 SurfHistory::Place SurfHistory::place(double phase) const
@@ -96,18 +138,119 @@ const BreakingStretch* SurfHistory::stretchAt(double phase) const
   return nullptr;
 }
 
+bool SurfHistory::staysBroken(const BreakingStretch& stretch) const
+{
+  return !this->Stretches.empty() && &stretch == &this->Stretches.back() && this->Ray.breaking[this->Ray.count - 1];
+}
+
+double SurfHistory::heightAt(double phase) const
+{
+  const SurfHistory* ray = this;
+  while (ray->Parent && phase < ray->firstPhase())
+  {
+    ray = ray->Parent;
+  }
+  return between(ray->Ray.height, ray->place(phase));
+}
+
 double SurfHistory::ripeness(double height, double depth, double phase) const
 {
   double index = this->BreakerIndex;
-  for (const BreakingStretch& stretch : this->Stretches)
-  {
-    if (phase <= stretch.end)
+  const BreakingStretch* last = nullptr;
+  const BreakingStretch* next = nullptr;
+  this->forStretches(
+    [&](const BreakingStretch& stretch)
     {
-      index = stretch.index;
-      break;
-    }
+      (phase <= stretch.end ? next : last) = &stretch;
+      return !next;
+    });
+  index = next ? next->index : index;
+  if (last && !(next && phase >= next->begin))
+  {
+    const double way = next ? std::min(ReformingPhase, next->begin - last->end) : ReformingPhase;
+    index += rollerShare((phase - last->end) / way) * (last->index - index);
   }
   return std::clamp(height / (depth * index), 0.0, 1.0);
+}
+
+void SurfHistory::breakOn(
+  BreakingProgress& progress, const BreakingStretch& stretch, double begin, double delay, double to) const
+{
+  const double way = (this->staysBroken(stretch) ? to : std::min(to, stretch.end)) - begin;
+  const BreakingProgress old = progress;
+  const double fallen = std::min(1.0, old.plunge);
+  const double grown = fallen > 0.0 ? std::min(1.0, way / (fallen * stretch.plungePhase)) : 1.0;
+  progress.plunge = old.plunge + std::max(0.0, way - delay) / stretch.plungePhase;
+  progress.reforming = old.reforming * (1.0 - grown);
+  const double down = begin + delay + (1.0 - fallen) * stretch.plungePhase;
+  progress.plungeHeight = this->heightAt(down);
+  if (fallen > 0.0)
+  {
+    const double renewed = grown * (1.0 - rollerShare(old.reforming));
+    progress.plungeHeight = old.plungeHeight + renewed * (progress.plungeHeight - old.plungeHeight);
+  }
+}
+
+void SurfHistory::reform(BreakingProgress& progress, const BreakingStretch& stretch, double to)
+{
+  const double way = to - stretch.end;
+  const double before = progress.reforming;
+  progress.reforming += way / ReformingPhase;
+  if (progress.reforming >= 1.0)
+  {
+    progress = {};
+  }
+  else if (progress.plunge > 0.0)
+  {
+    const double falling = progress.plunge * (2.0 - std::exp(-way / (stretch.plungePhase * progress.plunge)));
+    const double lip = lipShare(before);
+    progress.plunge = lip > 0.0 ? falling * lipShare(progress.reforming) / lip : 0.0;
+  }
+}
+
+void SurfHistory::setProgress(CrestState& crest, double phase, const BreakingProgress& progress) const
+{
+  crest.plunge = progress.plunge;
+  crest.plungeHeight = progress.plungeHeight;
+  crest.roller = rollerShare(progress.reforming);
+  const bool breaks = this->stretchAt(phase) != nullptr;
+  crest.ripeness = breaks ? 1.0 : crest.ripeness;
+  if (!breaks && progress.reforming > 0.0)
+  {
+    crest.ripeness += crest.roller * (1.0 - crest.ripeness);
+  }
+}
+
+FoamOrigin SurfHistory::foam(double phase) const
+{
+  FoamOrigin origin{ std::numeric_limits<double>::quiet_NaN(), 0.0 };
+  double most = 0.0; // at `since`, where the breaking ended that leaves the most
+  double since = 0.0;
+  const auto left = [&](double at) { return most * rollerShare((at - since) / ReformingPhase); };
+  this->forStretches(
+    [&](const BreakingStretch& stretch)
+    {
+      if (phase < stretch.begin)
+      {
+        return false;
+      }
+      const bool anew = !(left(stretch.begin) > 0.0);
+      origin.begin = anew ? stretch.begin : origin.begin;
+      const double end = this->staysBroken(stretch) ? phase : std::min(phase, stretch.end);
+      const double share = anew ? 1.0 : std::min(1.0, (end - stretch.begin) / FoamOnsetPhase);
+      if (share >= left(end))
+      {
+        most = share;
+        since = end;
+      }
+      return true;
+    });
+  origin.share = left(phase);
+  if (!(origin.share > 0.0))
+  {
+    origin = { std::numeric_limits<double>::quiet_NaN(), 0.0 };
+  }
+  return origin;
 }
 
 CrestState SurfHistory::crest(double phase, double delay) const
@@ -123,12 +266,8 @@ CrestState SurfHistory::crest(double phase, double delay) const
   crest.depth = between(this->Ray.depth, place);
   crest.slope = between(this->Ray.slope, place);
   crest.ripeness = this->ripeness(crest.height, crest.depth, phase);
-  if (const BreakingStretch* stretch = this->stretchAt(phase))
-  {
-    crest.ripeness = 1.0;
-    crest.plunge = std::max(0.0, (phase - stretch->begin - delay) / stretch->plungePhase);
-    crest.plungeHeight = stretch->plungeHeight;
-  }
+  this->setProgress(
+    crest, phase, this->progress(phase, delay, [](const BreakingStretch& stretch) { return stretch.begin; }));
   return crest;
 }
 

@@ -77,14 +77,14 @@ SurfaceFunction::SurfaceFunction(const WaveSurface& surface)
   }
   const SurfaceSheet& sheet = surface.sheet();
   this->RayOf.resize(sheet.rayPointCount());
-  this->BreakingPhase.resize(sheet.rayPointCount());
+  this->Foam.resize(sheet.rayPointCount());
   for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
   {
     for (auto i = static_cast<std::size_t>(sheet.Offsets[ray]); i < static_cast<std::size_t>(sheet.Offsets[ray + 1]);
          ++i)
     {
       this->RayOf[i] = static_cast<std::uint32_t>(ray);
-      this->BreakingPhase[i] = surface.breakingPhase(i);
+      this->Foam[i] = surface.foamOrigin(i);
     }
   }
 }
@@ -117,7 +117,8 @@ SheetPlace SurfaceFunction::placeOn(const SheetCover& cover, const glm::dvec2& p
     found.shore += sheet.Shore[i] ? w : 0.0;
     found.ray[c] = this->RayOf[i];
     found.weight[c] = w;
-    found.breakingPhase[c] = this->BreakingPhase[i];
+    found.breakingPhase[c] = this->Foam[i].begin;
+    found.foamShare[c] = this->Foam[i].share;
     found.launchParameter[c] = sheet.LaunchParameter[this->RayOf[i]];
   }
   const double size = glm::length(toward);
@@ -141,7 +142,7 @@ CrestState SurfaceFunction::crest(
   const SheetPlace& place, double phase, std::int64_t wave, const WaveSection& section) const
 {
   CrestState sum;
-  sum.wavenumber = sum.depth = 0.0;
+  sum.wavenumber = sum.depth = sum.roller = 0.0;
   double plunging = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
@@ -162,14 +163,18 @@ CrestState SurfaceFunction::crest(
     sum.wavenumber += w * crest.wavenumber;
     sum.depth += w * crest.depth;
     sum.ripeness += w * crest.ripeness;
-    sum.plunge += w * crest.plunge;
     sum.slope += w * crest.slope;
+    // The less of a broken wave is left, the less its plunge matters.
+    const double left = w * crest.roller;
+    sum.roller += left;
+    sum.plunge += left * crest.plunge;
     if (crest.plungeHeight > 0.0)
     {
-      sum.plungeHeight += w * crest.plungeHeight;
-      plunging += w;
+      sum.plungeHeight += left * crest.plungeHeight;
+      plunging += left;
     }
   }
+  sum.plunge = sum.roller > 0.0 ? sum.plunge / sum.roller : 0.0;
   sum.plungeHeight = plunging > 0.0 ? sum.plungeHeight / plunging : 0.0;
   return sum;
 }
@@ -197,7 +202,7 @@ MovedPlace SurfaceFunction::move(
     const CrestState crest = this->crest(place, crestPhase, static_cast<std::int64_t>(wave), section);
     moved = section.at(crest,
       { phase, place.still.height, place.still.wavenumber, place.still.depth, place.still.slope, place.ripeness });
-    broken = broken || crest.plunge > 0.0;
+    broken = broken || crest.isBroken();
   }
   if (place.shore > 0.0)
   {
@@ -227,7 +232,7 @@ double SurfaceFunction::foam(const SheetPlace& place, double time, const Surface
   double sum = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
-    sum += place.weight[c] *
+    sum += place.weight[c] * place.foamShare[c] *
       foamAt(
         place.phase, place.breakingPhase[c], place.launchParameter[c], time, foam, place.groupTime, place.brokenShare);
   }

@@ -25,7 +25,8 @@ struct SheetPlace
   double shore = 0.0;                      ///< share of the shore, 0 to 1: points of it only go up and down
   std::array<std::size_t, 3> ray{};        ///< of the corners around it
   std::array<double, 3> weight{};          ///< of these
-  std::array<double, 3> breakingPhase{};   ///< of the corners, rad; NaN where not broken
+  std::array<double, 3> breakingPhase{};   ///< of the corners, rad, as FoamOrigin; NaN where there is none
+  std::array<double, 3> foamShare{};       ///< of the corners, as FoamOrigin
   std::array<double, 3> launchParameter{}; ///< m
 };
 
@@ -110,8 +111,8 @@ private:
 
   const WaveSurface& Surface;
   SheetLocator Locator;
-  std::vector<std::uint32_t> RayOf;  // one a point of a ray
-  std::vector<double> BreakingPhase; // one a point of a ray
+  std::vector<std::uint32_t> RayOf; // one a point of a ray
+  std::vector<FoamOrigin> Foam;     // one a point of a ray
 };
 
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
@@ -140,22 +139,18 @@ double WaveSurface::phase(std::size_t point) const
   return this->OwnPhase.empty() ? this->Sheet.Phase[point] : this->OwnPhase[point];
 }
 
-double WaveSurface::breakingPhase(std::size_t point) const
+FoamOrigin WaveSurface::foamOrigin(std::size_t point) const
 {
-  if (!this->Sheet.Breaking[point])
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
   if (point >= this->Sheet.rayPointCount())
   {
-    return this->breakingPhase(static_cast<std::size_t>(this->Sheet.BeachBase[point - this->Sheet.rayPointCount()]));
+    return this->foamOrigin(static_cast<std::size_t>(this->Sheet.BeachBase[point - this->Sheet.rayPointCount()]));
   }
   const auto after =
     std::upper_bound(this->Sheet.Offsets.begin(), this->Sheet.Offsets.end(), static_cast<std::int64_t>(point));
   const auto ray = static_cast<std::size_t>(after - this->Sheet.Offsets.begin()) - 1;
-  const double phase = this->Sheet.Phase[point];
-  const BreakingStretch* stretch = this->Histories[ray].stretchAt(phase);
-  return this->phase(point) + (stretch ? stretch->begin - phase : 0.0);
+  FoamOrigin origin = this->Histories[ray].foam(this->Sheet.Phase[point]);
+  origin.begin += this->phase(point) - this->Sheet.Phase[point];
+  return origin;
 }
 
 CrestState WaveSurface::crest(std::size_t ray, double phase, std::int64_t wave, const WaveSection& section) const
@@ -306,7 +301,7 @@ void WaveSurface::displaceRay(
     else
     {
       const CrestState crest = this->crest(ray, crestPhase, static_cast<std::int64_t>(wave), section);
-      run.broken = crest.plunge > 0.0;
+      run.broken = crest.isBroken();
       section.displace(crest,
         { run.count, run.phase.data(), height, sheet.Wavenumber.data() + run.first, sheet.Depth.data() + run.first,
           sheet.Slope.data() + run.first, ripeness },

@@ -43,7 +43,7 @@ struct SurfaceArrays
   float* velocity = nullptr;        ///< 3 components, of the particles, m/s
   double* depth = nullptr;          ///< of the bed below still water under the displaced point, m; negative on a beach
   double* phase = nullptr;          ///< Phi = S - omega t, rad; crests are at 2 pi n
-  std::uint8_t* breaking = nullptr; ///< 1 where the wave that is there is broken
+  std::uint8_t* breaking = nullptr; ///< 1 where the wave that is there is broken, and no more than half whole again
 };
 
 /** A place of the undisturbed surface and the wave there. */
@@ -87,6 +87,9 @@ public:
   /** The sheet and the seafloor must outlive this. @throws std::invalid_argument on bad options */
   WaveSurface(const SurfaceSheet& sheet, const Seafloor& seafloor, const SurfaceOptions& options,
     const Execution& execution = {});
+
+  WaveSurface(const WaveSurface&) = delete;
+  WaveSurface& operator=(const WaveSurface&) = delete;
 
   /** The surface at a time, s. The same for any loop in `execution`. */
   void displace(
@@ -134,8 +137,11 @@ public:
   /** Phase S by which a point of the sheet moves. */
   double phase(std::size_t point) const;
 
-  /** Phase S at which the breaking that a point of the sheet lies in began; NaN where waves are not broken. */
-  double breakingPhase(std::size_t point) const;
+  /**
+   * What foam at a point of the sheet comes from: the phase S at which the breaking that it lies in began, or that has
+   * ended less than ReformingPhase before it, and its share that is left; NaN and 0 where there is none.
+   */
+  FoamOrigin foamOrigin(std::size_t point) const;
 
 private:
   struct Run;

@@ -153,18 +153,13 @@ void WaveSurface::lowerBy(CrestState& crest, const RayPlace& place, double phase
   const double held = heldShare(share, broken);
   crest.height *= held;
   const SurfHistory& history = this->Histories[place.ray];
-  const BreakingStretch* stretch = history.stretchAt(phase);
-  if (!stretch || held < 1.0)
+  crest.ripeness = history.ripeness(crest.height, crest.depth, phase);
+  crest.plunge = 0.0;
+  if (held == 1.0)
   {
-    crest.ripeness = std::min(crest.ripeness, history.ripeness(crest.height, crest.depth, phase));
-    crest.plunge = 0.0;
-    return;
-  }
-  const double since = this->brokenSince(place, phase, stretch->begin, share);
-  crest.plunge = std::max(0.0, (phase - since - delay) / stretch->plungePhase);
-  if (since > stretch->begin)
-  {
-    crest.plungeHeight = history.crest(since + stretch->plungePhase, 0.0).height;
+    history.setProgress(crest, phase,
+      history.progress(phase, delay,
+        [&](const BreakingStretch& stretch) { return this->brokenSince(place, phase, stretch.begin, share); }));
   }
 }
 

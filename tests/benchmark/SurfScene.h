@@ -108,7 +108,9 @@ public:
     const std::size_t points = this->Sheet->pointCount();
     for (std::size_t i = 0; i < points; ++i)
     {
-      this->BreakingPhase.push_back(this->Surface->breakingPhase(i));
+      const FoamOrigin origin = this->Surface->foamOrigin(i);
+      this->BreakingPhase.push_back(origin.begin);
+      this->FoamShare.push_back(origin.share);
     }
     this->Parameter.assign(points, 0.0);
     this->Position.resize(3 * points);
@@ -133,8 +135,9 @@ public:
     foam.period = this->Options.period;
     foam.variation = section.variation();
     foam.wavelength = this->Options.wavelength;
-    computeFoam({ this->points(), this->Sheet->Phase.data(), this->BreakingPhase.data(), this->Parameter.data() }, time,
-      foam, this->Foam.data());
+    computeFoam({ this->points(), this->Sheet->Phase.data(), this->BreakingPhase.data(), this->Parameter.data(), nullptr,
+                  nullptr, this->FoamShare.data() },
+      time, foam, this->Foam.data());
     benchmark::DoNotOptimize(this->Position.data());
     benchmark::DoNotOptimize(this->Foam.data());
   }
@@ -144,7 +147,7 @@ private:
   std::unique_ptr<SurfaceSheet> Sheet;
   SurfaceOptions Options;
   std::unique_ptr<WaveSurface> Surface;
-  std::vector<double> BreakingPhase, Parameter, Position, Depth;
+  std::vector<double> BreakingPhase, FoamShare, Parameter, Position, Depth;
   std::vector<float> Normal, Foam;
 };
 

@@ -180,7 +180,7 @@ TEST(SurfaceFunction, hasTheFoamAndTheBreakingOfTheMesh)
   {
     const glm::dvec2 place(surface.Position[3 * i], surface.Position[3 * i + 1]);
     const SurfaceValue value = function.at(place, 2.0, motionOf(*section));
-    const double expected = foamAt(surface.Sheet.Phase[i], surface.Moved->breakingPhase(i), 0.0, 2.0, foam);
+    const double expected = foamAt(surface.Sheet.Phase[i], surface.Moved->foamOrigin(i).begin, 0.0, 2.0, foam);
     ASSERT_NEAR(value.foam, expected, 1e-5);
     ASSERT_EQ(value.breaking, surface.Broken[i] != 0);
     foamy += value.foam > 0.0 ? 1 : 0;

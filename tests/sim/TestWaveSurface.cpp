@@ -337,14 +337,16 @@ TEST(WaveSurface, breakingPhaseIsThatOfTheTrace)
   Surface surface(breaking(), seafloor);
   for (std::size_t i = 0; i < surface.Sheet.rayPointCount(); ++i)
   {
-    const double phase = surface.Moved->breakingPhase(i);
-    if (surface.Sheet.Phase[i] < K * 60.0 + 1e-9)
+    const FoamOrigin origin = surface.Moved->foamOrigin(i);
+    if (surface.Sheet.Phase[i] < K * 60.0 - 1e-9)
     {
-      EXPECT_TRUE(std::isnan(phase)) << i;
+      EXPECT_TRUE(std::isnan(origin.begin)) << i;
+      EXPECT_EQ(origin.share, 0.0) << i;
     }
     else
     {
-      EXPECT_NEAR(phase, K * 60.0, 1e-6);
+      EXPECT_NEAR(origin.begin, K * 60.0, 1e-6);
+      EXPECT_EQ(origin.share, 1.0);
     }
   }
 }
