@@ -26,6 +26,9 @@ constexpr double FloorAngle = 1.75 * Pi;
 // Share of the curl after which the front stands against the vortex; only then the lip goes over it.
 constexpr double Standing = 0.3;
 
+// Share of a broken wave (CrestState::roller) at which none of its lip is left.
+constexpr double LipGone = 0.6;
+
 // Phases where the parts of a wave begin and end.
 constexpr double BackBegin = -0.75 * Pi;
 constexpr double TopBegin = -0.1 * Pi;
@@ -65,15 +68,18 @@ VortexSection::Vortex VortexSection::vortex(const CrestState& crest) const
   const double steepness = crest.height * crest.wavenumber / (2.0 * Pi);
   // Beyond the threshold the curl is complete at twice its steepness.
   const double steep = steepness / this->Values.threshold - 1.0;
-  vortex.curl = std::clamp(std::max(crest.plunge, steep), 0.0, 1.0);
+  // Where the wave forms again the lip goes back into the face first and the hollow closes.
+  const double left = crest.plunge > 0.0 ? crest.roller : 1.0;
+  const double lip = Standing + (1.0 - Standing) * smoothStep((left - LipGone) / (1.0 - LipGone));
+  vortex.curl = std::clamp(std::max(std::min(crest.plunge, 1.0) * lip, steep), 0.0, 1.0);
   if (!(vortex.curl > 0.0))
   {
     return vortex;
   }
-  double size = 1.0;
+  double size = left;
   if (crest.plunge > 1.0 && crest.plungeHeight > 0.0)
   {
-    size = std::clamp(crest.height / crest.plungeHeight, 0.0, 1.0);
+    size *= std::clamp(crest.height / crest.plungeHeight, 0.0, 1.0);
   }
   const double floor = FloorHeight * size;
   const double half = size * crest.height * (1.0 - FloorHeight) / (2.0 + LipThickness); // of its height
