@@ -41,7 +41,7 @@ void writeLabel(vtkImageData* sheet, int x, int y, int height, const std::string
   const int* dims = glyphs->GetDimensions();
   const int left = x + size / 2;
   const int bottom = y + height - size / 2 - extent[1];
-  const int edge = std::max(1, size / 12);
+  const int edge = std::max(1, size / 16);
   const int* sheetSize = sheet->GetDimensions();
   const auto blend = [&](int dx, int dy, double shade)
   {

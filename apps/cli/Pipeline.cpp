@@ -255,6 +255,12 @@ void Pipeline::setPointsPerWave(double points)
   this->Spray->SetPointsPerWave(points);
 }
 
+void Pipeline::setSpray(double rate, double scatter)
+{
+  this->Spray->SetRate(rate);
+  this->Spray->SetScatter(scatter);
+}
+
 vtkPolyData* Pipeline::makeSpray(double time)
 {
   this->connectWaves(this->Spray);

@@ -93,6 +93,9 @@ public:
   /** Points a wavelength of the surface from now on, 16 or more; 0: as many as the section asks for. */
   void setPointsPerWave(double points);
 
+  /** Particles a metre of crest and metre by which its water is ahead, and how their velocities scatter, from now on. */
+  void setSpray(double rate, double scatter);
+
   /** Spray at a time, s, over the same rays. @throws WorkError */
   vtkPolyData* makeSpray(double time);
 

@@ -86,9 +86,6 @@ std::vector<Obstacle> obstaclesToDraw(const Request& request, vtkImageData* seaf
   }
 }
 
-// A picture shows some more than what a file has by itself.
-constexpr double SceneSprayRate = 100.0;
-
 // Options that a picture of this style cannot follow.
 void checkStyle(const Request& request)
 {
@@ -133,7 +130,7 @@ void checkSea(const Request& request)
   checkSurfaceOptions(request.surface);
 }
 
-void checkScene(Request& request)
+void checkScene(const Request& request)
 {
   const RenderRequest& render = request.render;
   const bool movie = std::filesystem::path(request.output.file).extension() == ".ogv";
@@ -159,7 +156,6 @@ void checkScene(Request& request)
   {
     throw UsageError("a scene has one --profile; --style section shows several");
   }
-  request.surface.sprayRate = request.surface.sprayRate.value_or(SceneSprayRate);
 }
 
 // What VTK can write here; of other kinds of movies how they are made of it.
@@ -449,8 +445,8 @@ CommandSpec renderSpec(Request& request)
     text("--title", "TEXT", "heading of the picture", "the seafloor's name", "Picture", render.title) };
   add(spec.options,
     { cameraOption(render), sunOption(render), detailOption(render), sheetOption(render),
-      number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave", "100",
-        "Scene", request.surface.sprayRate, { "", 0.0, 1e6 }),
+      number("--spray-rate", "N", "particles a metre of crest and metre by which its water is ahead of the wave",
+        "so that plumes are seen", "Scene", request.surface.sprayRate, { "", 0.0, 1e6 }),
       lineOption(render),
       number("--exaggeration", "N", "how many times larger heights of a section are drawn than distances",
         "so that waves are seen", "Section", render.exaggeration, PositiveNumber),

@@ -46,6 +46,19 @@ constexpr int PixelsPerSample = 2;
 
 constexpr int FastestMovie = 60; // frames a second
 
+// Particles a metre of crest and metre by which its water is ahead of a wave of 1 m. Droplets are drawn in proportion to the
+// waves, and what they cover is to be the same: particles over a metre of crest go as the -1/2 power of the height, so by
+// their life and speed the rate as the -3/2.
+constexpr double PlumeRate = 1500.0;
+
+// Standard deviation of the components of their velocity, of that of the water: plumes rise by a third of the wave.
+constexpr double PlumeScatter = 0.35;
+
+// Particles in the air that are drawn at most, on an average over a period, which is counted at so many times by this rate.
+constexpr double MostSpray = 150000.0;
+constexpr int CountedTimes = 8;
+constexpr double CountedRate = 10.0;
+
 }
 
 scene::SceneCamera cameraOf(const Request& request, vtkImageData* seafloor)
@@ -115,6 +128,24 @@ private:
   bool Begun = false;
 };
 
+// The rate of spray asked for, or one that shows a plume over crests that plunge.
+double sprayRateOf(const Request& request, Pipeline& pipeline)
+{
+  if (request.surface.sprayRate)
+  {
+    return *request.surface.sprayRate;
+  }
+  double particles = 0.0;
+  pipeline.setSpray(CountedRate, PlumeScatter);
+  for (int i = 0; i < CountedTimes; ++i)
+  {
+    particles +=
+      static_cast<double>(pipeline.makeSpray(request.rays.wave.period * i / CountedTimes)->GetNumberOfPoints());
+  }
+  const double most = MostSpray * CountedRate * CountedTimes / std::max(1.0, particles);
+  return std::min(PlumeRate * std::pow(request.rays.wave.height, -1.5), most);
+}
+
 scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
 {
   const RenderRequest& render = request.render;
@@ -125,6 +156,7 @@ scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
   content.waterLevel = request.seafloor.options.waterLevel;
   content.waveHeight = request.rays.wave.height;
   content.wavelength = 2.0 * Pi / request.rays.wave.wavenumber();
+  content.period = request.rays.wave.period;
   content.directionFrom = request.rays.wave.directionFrom;
   content.camera = cameraOf(request, seafloor);
   content.sky = render.sun ? scene::SkyModel((*render.sun)[0], (*render.sun)[1])
@@ -144,12 +176,13 @@ scene::SceneContent contentOf(const Request& request, Pipeline& pipeline)
 class SceneFrames
 {
 public:
-  SceneFrames(Pipeline& pipeline, const scene::SceneContent& content, bool bySheets)
+  SceneFrames(Pipeline& pipeline, const scene::SceneContent& content, bool bySheets, double sprayRate)
     : Source(pipeline)
     , BySheets(bySheets)
     , Picture(content)
   {
     pipeline.seeBy(content.camera, { content.width, content.height }, PixelsPerSample);
+    pipeline.setSpray(sprayRate, PlumeScatter);
   }
 
   vtkSmartPointer<vtkImageData> draw(double time)
@@ -176,7 +209,7 @@ void drawSeries(
   {
     throw WorkError(fmt::format("cannot make the folder '{}': {}", folder.string(), error.message()));
   }
-  SceneFrames frames(pipeline, content, bySheets);
+  SceneFrames frames(pipeline, content, bySheets, sprayRateOf(request, pipeline));
   const TimeSeries& times = *request.render.times;
   const std::size_t count = times.count();
   std::size_t kept = 0;
@@ -205,7 +238,7 @@ void drawScene(const Request& request, Pipeline& pipeline, const scene::SceneCon
   Console& console, OutputFile& file)
 {
   const RenderRequest& render = request.render;
-  SceneFrames frames(pipeline, content, bySheets);
+  SceneFrames frames(pipeline, content, bySheets, sprayRateOf(request, pipeline));
   if (!render.times)
   {
     const double time = render.time.value_or(0.0);

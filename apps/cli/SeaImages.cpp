@@ -71,15 +71,25 @@ unsigned char byteOf(double share)
   return static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
 }
 
-// Light, linear, that comes from a direction above the horizon.
+// Radius of the sun, and of its edge in a picture, rad.
+constexpr double SunRadius = 0.0047;
+constexpr double SunEdge = 0.0015;
+
+// Light of the sun itself, and a gleam around it.
+double sunLight(const glm::dvec3& direction, const glm::dvec3& sun)
+{
+  const double away = std::acos(std::clamp(glm::dot(direction, sun), -1.0, 1.0));
+  return 60.0 * std::clamp((SunRadius + SunEdge - away) / SunEdge, 0.0, 1.0) + 0.8 * std::exp(-away / 0.02);
+}
+
+// Light of the sky, linear, from a direction above the horizon.
 glm::dvec3 skyLight(const glm::dvec3& direction, const glm::dvec3& sun)
 {
   const glm::dvec3 zenith(0.10, 0.24, 0.55);
   const glm::dvec3 horizon(0.62, 0.72, 0.80);
   const double up = std::max(direction.z, 0.0);
   const double towards = std::max(glm::dot(direction, sun), 0.0);
-  return horizon + (zenith - horizon) * std::pow(up, 0.45) + glm::dvec3(9.0, 8.0, 6.0) * std::pow(towards, 900.0) +
-    glm::dvec3(0.35, 0.28, 0.18) * std::pow(towards, 12.0);
+  return horizon + (zenith - horizon) * std::pow(up, 0.45) + glm::dvec3(0.35, 0.28, 0.18) * std::pow(towards, 12.0);
 }
 
 }
@@ -150,7 +160,8 @@ void writeSeaPicture(vtkSwellSeaFunction* sea, const Request& request, const Out
             const double v = (static_cast<double>(row) + 0.5 - 0.5 * height) * pixel + Tilt;
             const glm::dvec3 ray = glm::normalize(ahead + u * right + glm::dvec3(0.0, 0.0, v));
             const glm::dvec3 horizon = skyLight(glm::normalize(glm::dvec3(ray.x, ray.y, 0.01)), sun);
-            glm::dvec3 light = ray.z > 0.0 ? skyLight(ray, sun) : horizon;
+            const glm::dvec3 sunColour(1.0, 0.89, 0.67);
+            glm::dvec3 light = ray.z > 0.0 ? skyLight(ray, sun) + sunLight(ray, sun) * sunColour : horizon;
             const double distance = sea->March(&eye.x, &ray.x, Farthest, pixel);
             if (distance >= 0.0)
             {
@@ -162,7 +173,9 @@ void writeSeaPicture(vtkSwellSeaFunction* sea, const Request& request, const Out
               const double mirrored = 0.02 + 0.98 * std::pow(1.0 - facing, 5.0);
               glm::dvec3 reflected = ray - 2.0 * glm::dot(normal, ray) * normal;
               reflected.z = std::abs(reflected.z);
-              const glm::dvec3 seen = mirrored * skyLight(reflected, sun) +
+              // Small waves spread the sun that they mirror.
+              const double glitter = 9.0 * std::pow(std::max(glm::dot(reflected, sun), 0.0), 900.0);
+              const glm::dvec3 seen = mirrored * (skyLight(reflected, sun) + glitter * sunColour) +
                 (1.0 - mirrored) * water * (1.0 + 1.5 * std::max(0.0, 0.5 + 0.3 * place.z));
               const double clear = std::exp(-distance / Haze);
               light = clear * seen + (1.0 - clear) * horizon;

@@ -5,6 +5,7 @@
 
 #include "apps/drawing/Relief.h"
 #include "sim/Angles.h"
+#include "sim/Dispersion.h"
 
 #include <vtkCamera.h>
 #include <vtkDataObject.h>
@@ -56,9 +57,13 @@ constexpr double FoamShare = 0.08;
 constexpr double LargestFoam = 4.0;
 
 // Droplets over the height of the waves, and their limits, m; drawn along their way in half the time of a frame of a film.
-constexpr double DropletShare = 0.02;
-constexpr double SmallestDroplet = 0.006;
-constexpr double LargestDroplet = 0.04;
+constexpr double DropletShare = 0.012;
+constexpr double SmallestDroplet = 0.004;
+constexpr double LargestDroplet = 0.025;
+// Wisps of finer ones in the same way.
+constexpr double WispShare = 0.13;
+constexpr double SmallestWisp = 0.02;
+constexpr double LargestWisp = 0.5;
 constexpr double Exposure = 1.0 / 48.0; // s
 
 void setUniform(vtkUniforms* uniforms, const char* name, const std::array<double, 3>& value)
@@ -91,7 +96,8 @@ ScenePicture::ScenePicture(const SceneContent& content)
   dome->Update();
   const Values onLand{ { "sunSeen", "SunSeen" } };
   const Values onWater{ { "sunSeen", "SunSeen" }, { "foam", "Foam" }, { "bedDepth", "Depth" } };
-  const Values ofSpray{ { "opacity", "Opacity" }, { "across", "Across" }, { "along", "Along" } };
+  const Values ofSpray{ { "dropOpacity", "Opacity" }, { "across", "Across" }, { "along", "Along" },
+    { "shade", "Shade" } };
   this->addPart(this->Sky, this->SkyMapper, dome->GetOutput(), {}, skyCode());
   const vtkSmartPointer<vtkPolyData> land = drawing::reliefOf(content.seafloor, this->reliefNodes());
   this->Shade.addTo(land);
@@ -171,6 +177,31 @@ void ScenePicture::setUniforms(vtkActor* actor, double time)
   setUniform(uniforms, "rippleLength", std::min(LongestRipple, RippleShare * this->Content.wavelength));
   setUniform(uniforms, "foamSize", std::min(LargestFoam, FoamShare * this->Content.wavelength));
   setUniform(uniforms, "haze", Visibility);
+  double bounds[6];
+  this->Content.seafloor->GetBounds(bounds);
+  const float sceneBounds[4] = { static_cast<float>(bounds[0]), static_cast<float>(bounds[2]),
+    static_cast<float>(bounds[1]), static_cast<float>(bounds[3]) };
+  uniforms->SetUniform4f("sceneBounds", sceneBounds);
+  const bool open = actor == this->OpenSea.Get();
+  const std::array<float, 4> swell = open ? this->swellAt(time) : std::array<float, 4>{ 0.0F, 0.0F, 0.0F, 0.0F };
+  uniforms->SetUniform4f("swell", swell.data());
+}
+
+std::array<float, 4> ScenePicture::swellAt(double time) const
+{
+  double bounds[6];
+  this->Content.seafloor->GetBounds(bounds);
+  double range[2];
+  this->Content.seafloor->GetPointData()->GetArray("Elevation")->GetFiniteRange(range, 0);
+  const double omega = 2.0 * Pi / this->Content.period;
+  const double k = solveWavenumber(omega, std::max(1e-3, this->Content.waterLevel - range[0]));
+  const double heading = headingFromNautical(this->Content.directionFrom);
+  const double x = k * std::cos(heading);
+  const double y = k * std::sin(heading);
+  // The phase is 0 where the wave first meets the scene.
+  const double begin = std::min(x * bounds[0], x * bounds[1]) + std::min(y * bounds[2], y * bounds[3]);
+  return { static_cast<float>(x), static_cast<float>(y), static_cast<float>(begin + omega * time),
+    static_cast<float>(0.5 * this->Content.waveHeight) };
 }
 
 vtkIdType ScenePicture::reliefNodes() const
@@ -251,6 +282,7 @@ vtkSmartPointer<vtkImageData> ScenePicture::draw(vtkPolyData* surface, double ti
     view.eye = this->Content.camera.eye;
     view.exposure = Exposure;
     view.radius = std::clamp(DropletShare * this->Content.waveHeight, SmallestDroplet, LargestDroplet);
+    view.wisp = std::clamp(WispShare * this->Content.waveHeight, SmallestWisp, LargestWisp);
     view.pixel = radians(this->Content.camera.angle) / this->Content.height;
     this->SprayMapper->SetInputData(streaksOf(spray, view));
   }

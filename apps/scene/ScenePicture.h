@@ -28,6 +28,7 @@ struct SceneContent
   double waterLevel = 0.0;          ///< m
   double waveHeight = 1.0;          ///< offshore, m
   double wavelength = 100.0;        ///< offshore, m
+  double period = 8.0;              ///< s
   double directionFrom = 270.0;     ///< of the waves, nautical degrees
   SceneCamera camera;
   SkyModel sky{ 250.0, 35.0 };
@@ -62,6 +63,7 @@ private:
   void addPart(
     vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, const Values& values, const std::string& code);
   void setUniforms(vtkActor* actor, double time);
+  std::array<float, 4> swellAt(double time) const; // wavenumber vector, phase and amplitude of the incident wave
   vtkSmartPointer<vtkPolyData> openSea() const;
   vtkIdType reliefNodes() const;
 

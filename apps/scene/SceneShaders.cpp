@@ -95,10 +95,11 @@ float turbulence(vec2 p, float pixel)
   return sum / 0.96875;
 }
 
-// Slopes of small waves of the wind; those shorter than some pixels are left out.
-vec2 rippleSlope(vec2 p, float pixel)
+// Slopes of small waves of the wind; of those shorter than some pixels the mean square of their slopes is left.
+vec3 rippleSlope(vec2 p, float pixel)
 {
   vec2 slope = vec2(0.0);
+  float unseen = 0.0;
   float wavelength = rippleLength;
   for (int i = 0; i < 14; ++i)
   {
@@ -106,10 +107,12 @@ vec2 rippleSlope(vec2 p, float pixel)
     vec2 k = 6.2831853 / wavelength * vec2(cos(heading), sin(heading));
     float phase = dot(k, p) - sqrt(9.81 * length(k)) * time + 2.399 * float(i);
     float shorter = 4.0 * pixel / wavelength;
-    slope += 0.035 * exp(-shorter * shorter) * normalize(k) * cos(phase);
+    float seen = exp(-shorter * shorter);
+    slope += 0.035 * seen * normalize(k) * cos(phase);
+    unseen += 0.5 * 0.035 * 0.035 * (1.0 - seen * seen);
     wavelength *= 0.77;
   }
-  return slope;
+  return vec3(slope, unseen);
 }
 
 // Air between the eye and a place.
@@ -123,7 +126,8 @@ vec3 throughAir(vec3 light, vec3 ray, float distance)
 vec4 tone(vec3 light)
 {
   // Film: K. Narkowicz's fit (2016) of the curve of the Academy Color Encoding System.
-  vec3 x = 0.36 * light / middle;
+  // Daylight of 5500 K is white, as to a camera, not the bluer one of the screen.
+  vec3 x = 0.30 * vec3(0.94, 1.0, 1.06) * light / middle;
   vec3 shown = clamp(x * (2.51 * x + 0.03) / (x * (2.43 * x + 0.59) + 0.14), 0.0, 1.0);
   return vec4(pow(shown, vec3(1.0 / 2.2)), 1.0);
 }
@@ -150,14 +154,22 @@ std::string waterCode()
   float pixel = length(fwidth(place.xy));
   vec3 up = normalize(normal);
   up = dot(up, view) < 0.0 ? -up : up;
-  vec2 slope = rippleSlope(place.xy, pixel);
-  vec3 n = normalize(up - vec3(slope, 0.0) * abs(up.z));
-  float facing = max(dot(n, view), 0.02);
+  // Beyond the scene the swell goes on and fades.
+  vec2 beyond = place.xy - clamp(place.xy, sceneBounds.xy, sceneBounds.zw);
+  float swellPhase = dot(swell.xy, place.xy) - swell.z;
+  float swellSeen = length(swell.xy) * pixel;
+  float swellRise =
+    swell.w * exp(-swellSeen * swellSeen - 0.002 * dot(swell.xy, swell.xy) * dot(beyond, beyond));
+  up = normalize(up + vec3(0.6 * swellRise * swell.xy, 0.0) * sin(swellPhase));
+  vec3 ripples = rippleSlope(place.xy, pixel);
+  vec3 n = normalize(up - vec3(ripples.xy, 0.0) * abs(up.z));
+  // Of ripples too small to be seen the eye meets those sides that are turned to it.
+  float facing = sqrt(max(dot(n, view), 0.0) * max(dot(n, view), 0.0) + 1.5 * ripples.z + 0.0004);
 
   // Reflected sky; what ripples would send below the horizon comes from over it.
   vec3 mirror = reflect(-view, n);
-  mirror = normalize(vec3(mirror.xy, max(abs(mirror.z), 0.02)));
-  float fresnel = 0.02 + 0.98 * pow(1.0 - facing, 5.0);
+  mirror = normalize(vec3(mirror.xy, sqrt(mirror.z * mirror.z + 6.0 * ripples.z + 0.0004)));
+  float fresnel = 0.02 + 0.98 * pow(1.0 - min(facing, 1.0), 5.0);
   vec3 reflected = skyLight(mirror);
   float glint = max(dot(mirror, sunDirection), 0.0);
   reflected += sunSeen * middle * sunColor * (30.0 * pow(glint, 900.0) + 1.2 * pow(glint, 60.0));
@@ -170,7 +182,7 @@ std::string waterCode()
   vec3 body = mix(deep, sand, exp(-way * vec3(0.55, 0.16, 0.13)));
 
   // Crests are thin: the sun shines through those that stand between it and the eye.
-  float crest = clamp((place.z - waterLevel) / waveHeight, 0.0, 1.2);
+  float crest = clamp((place.z - waterLevel + swellRise * (1.0 + cos(swellPhase))) / waveHeight, 0.0, 1.2);
   float against = 0.25 + max(0.0, -dot(normalize(view.xy), normalize(sunDirection.xy + 1e-6)));
   body += middle * vec3(0.05, 0.42, 0.34) * 2.0 * crest * crest * against * (0.3 + 0.7 * sunSeen) * (1.0 - 0.6 * abs(up.z));
 
@@ -184,7 +196,7 @@ std::string waterCode()
   float grain = clamp(0.5 + 2.4 * (0.7 * patches + 0.3 * bubbles - 0.5), 0.0, 1.0);
   float left = 0.86 * foam;
   float cover = smoothstep(1.0 - left, 1.2 - left, grain) * step(0.004, foam);
-  float lit = 1.1 + 0.9 * sunSeen * max(dot(up, sunDirection), 0.0);
+  float lit = 1.7 + 1.5 * sunSeen * max(dot(up, sunDirection), 0.0);
   light = mix(light, middle * vec3(0.97, 0.99, 1.0) * lit * (0.7 + 0.5 * bubbles), 0.95 * cover);
 
   gl_FragData[0] = tone(throughAir(light, -view, distance));
@@ -209,7 +221,7 @@ std::string landCode()
   float green = smoothstep(2.0 * waveHeight, 3.5 * waveHeight, height + 2.0 * waveHeight * (spots - 0.5));
   vec3 albedo = mix(sand, grass, green) * mix(1.0, 0.5, wet);
   vec3 overhead = skyLight(vec3(0.0, 0.0, 1.0));
-  vec3 lit = 2.6 * sunSeen * middle * sunColor * max(dot(n, sunDirection), 0.0) + 0.6 * (overhead + 0.3 * middle);
+  vec3 lit = 3.1 * sunSeen * middle * sunColor * max(dot(n, sunDirection), 0.0) + 0.6 * (overhead + 0.3 * middle);
   vec3 light = albedo * lit;
   vec3 mirror = reflect(-view, normalize(vec3(0.3 * n.xy, n.z)));
   mirror = normalize(vec3(mirror.xy, max(mirror.z, 0.02)));
@@ -225,11 +237,13 @@ std::string sprayCode()
   vec3 toEye = eye - place;
   float distance = length(toEye);
   vec3 view = toEye / distance;
-  // Water in the air scatters most of the light on.
+  // VTK has an opacity of its own in its shaders, so that of drops has another name.
+  // Water in the air scatters most of the light on; drops that fall are in the shade of others (Peachey 1986, section 4.3).
   float through = pow(max(0.0, -dot(view, sunDirection)), 8.0);
-  vec3 light = middle * vec3(0.97, 0.99, 1.0) * (1.3 + sunDirection.z * 0.5 + 2.5 * through);
-  float inside = (1.0 - across * across) * (1.0 - along * along * along * along);
-  gl_FragData[0] = vec4(tone(throughAir(light, -view, distance)).rgb, opacity * inside);
+  vec3 light = middle * vec3(0.97, 0.99, 1.0) * (2.0 + 1.2 * sunDirection.z + 2.5 * through) * shade;
+  float side = 1.0 - across * across;
+  float end = 1.0 - along * along;
+  gl_FragData[0] = vec4(tone(throughAir(light, -view, distance)).rgb, dropOpacity * side * side * end);
 )";
 }
 

@@ -1,5 +1,7 @@
 #include "SprayStreaks.h"
 
+#include "sim/Scramble.h"
+
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
@@ -12,6 +14,10 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace swellray::scene
 {
@@ -19,9 +25,31 @@ namespace swellray::scene
 namespace
 {
 
-// Each particle stands for a wisp of them, which is seen where one would not be.
-constexpr double LeastOpacity = 0.25;
-constexpr double MostOpacity = 0.85;
+// Each particle stands for some, which are seen where one would not be.
+constexpr double LeastOpacity = 0.4;
+constexpr double MostOpacity = 0.95;
+
+// What is fainter is lost in a picture of 8 bits: instead, fewer are drawn.
+constexpr double FaintestOpacity = 0.06;
+
+// One particle in so many is a wisp; it spreads by its own radius in the time in which it falls by a few of them.
+constexpr std::uint32_t WispEvery = 2;
+constexpr double WispOpacity = 0.5;
+constexpr double SpreadFalls = 6.0;
+constexpr double Gravity = 9.81; // m/s2
+
+// Light that is lost at this speed downwards, over that of droplets that rise (Peachey 1986, section 4.3).
+constexpr double ShadeLost = 0.3;
+constexpr double ShadeSpeed = 4.0; // m/s
+
+// A number that stays with a particle: its horizontal velocity does.
+std::uint32_t markOf(const glm::dvec3& velocity)
+{
+  const std::array<float, 2> kept{ static_cast<float>(velocity.x), static_cast<float>(velocity.y) };
+  std::uint64_t bits = 0;
+  std::memcpy(&bits, kept.data(), sizeof bits);
+  return static_cast<std::uint32_t>(scramble(bits) >> 32U);
+}
 
 vtkSmartPointer<vtkFloatArray> arrayOf(const char* name, int components)
 {
@@ -43,6 +71,8 @@ vtkSmartPointer<vtkPolyData> streaksOf(vtkPolyData* spray, const StreakView& vie
   const auto opacity = arrayOf("Opacity", 1);
   const auto across = arrayOf("Across", 1);
   const auto along = arrayOf("Along", 1);
+  const auto shade = arrayOf("Shade", 1);
+  vtkDataArray* ages = spray->GetPointData()->GetArray("Age");
   for (vtkIdType i = 0; i < spray->GetNumberOfPoints(); ++i)
   {
     glm::dvec3 place;
@@ -61,11 +91,25 @@ vtkSmartPointer<vtkPolyData> streaksOf(vtkPolyData* spray, const StreakView& vie
     const glm::dvec3 any = glm::abs(towards.z) < 0.9 ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 forward = length > 1e-9 ? way / length : glm::normalize(glm::cross(any, towards));
     const glm::dvec3 aside = glm::cross(towards, forward);
-    const double radius = std::max(view.radius, 0.5 * distance * view.pixel);
+    const std::uint32_t mark = markOf(velocity);
+    const bool isWisp = view.wisp > 0.0 && mark % WispEvery == 0;
+    const double age = isWisp && ages ? ages->GetTuple1(i) : 0.0;
+    const double spread = isWisp ? 1.0 + age / std::sqrt(2.0 * SpreadFalls * view.wisp / Gravity) : 1.0;
+    const double own = isWisp ? view.wisp * (0.6 + 0.8 * unitOf(scramble(mark))) * spread : view.radius;
+    const double radius = std::max(own, 0.5 * distance * view.pixel);
     const double half = 0.5 * length + radius;
     // Its own light, spread over the place that is drawn.
-    const double share = view.radius * view.radius / (radius * half);
-    const double shown = std::clamp(share, LeastOpacity, MostOpacity);
+    const double share = own * own / (radius * half);
+    double shown = isWisp ? WispOpacity * share / (spread * spread) : std::clamp(share, LeastOpacity, MostOpacity);
+    if (shown < FaintestOpacity)
+    {
+      if (unitOf(scramble(mark + 1u)) * FaintestOpacity >= shown)
+      {
+        continue;
+      }
+      shown = FaintestOpacity;
+    }
+    const double lit = 1.0 - ShadeLost * std::clamp(-velocity.z / ShadeSpeed, 0.0, 1.0);
     vtkIdType ids[4];
     for (int c = 0; c < 4; ++c)
     {
@@ -76,6 +120,7 @@ vtkSmartPointer<vtkPolyData> streaksOf(vtkPolyData* spray, const StreakView& vie
       normals->InsertNextTuple3(towards.x, towards.y, towards.z);
       opacity->InsertNextValue(static_cast<float>(shown));
       along->InsertNextValue(static_cast<float>(s));
+      shade->InsertNextValue(static_cast<float>(lit));
       across->InsertNextValue(static_cast<float>(t));
     }
     cells->InsertNextCell(4, ids);
@@ -84,7 +129,7 @@ vtkSmartPointer<vtkPolyData> streaksOf(vtkPolyData* spray, const StreakView& vie
   streaks->SetPoints(points);
   streaks->SetPolys(cells);
   streaks->GetPointData()->SetNormals(normals);
-  for (const auto& array : { opacity, across, along })
+  for (const auto& array : { opacity, across, along, shade })
   {
     streaks->GetPointData()->AddArray(array);
   }

@@ -192,7 +192,7 @@ TEST_F(ScenePictureTest, SprayIsSeenOverTheSea)
   for (int i = 0; i < 2000; ++i)
   {
     points->InsertNextPoint(42.0 + 0.1 * (i % 50), -2.0 + 0.1 * (i / 50), 1.0);
-    velocity->InsertNextTuple3(-2.0, 0.0, 1.0);
+    velocity->InsertNextTuple3(-2.0 - 1e-4 * i, 0.0, 1.0);
   }
   vtkNew<vtkPolyData> spray;
   spray->SetPoints(points);

@@ -17,7 +17,7 @@ namespace
 // Places are kept in single precision.
 constexpr double Single = 1e-5;
 
-vtkSmartPointer<vtkPolyData> droplet(double vx, double vy, double vz)
+vtkSmartPointer<vtkPolyData> droplet(double vx, double vy, double vz, double age = 0.0)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);
@@ -28,7 +28,24 @@ vtkSmartPointer<vtkPolyData> droplet(double vx, double vy, double vz)
   auto spray = vtkSmartPointer<vtkPolyData>::New();
   spray->SetPoints(points);
   spray->GetPointData()->AddArray(velocity);
+  vtkNew<vtkFloatArray> ages;
+  ages->SetName("Age");
+  ages->InsertNextValue(static_cast<float>(age));
+  spray->GetPointData()->AddArray(ages);
   return spray;
+}
+
+// Breadth across its way, which is upwards.
+double breadthOf(vtkPolyData* streak)
+{
+  double bounds[6];
+  streak->GetBounds(bounds);
+  return bounds[1] - bounds[0];
+}
+
+double valueOf(vtkPolyData* streak, const char* name)
+{
+  return streak->GetPointData()->GetArray(name)->GetComponent(0, 0);
 }
 
 StreakView fromSouth(double distance)
@@ -82,4 +99,42 @@ TEST(SprayStreaks, OfNothingAreNone)
 {
   vtkNew<vtkPolyData> none;
   EXPECT_EQ(streaksOf(none, fromSouth(10.0))->GetNumberOfCells(), 0);
+}
+
+TEST(SprayStreaks, AreWispsInPartWhichSpreadAndFade)
+{
+  StreakView view = fromSouth(10.0);
+  view.exposure = 1e-3;
+  view.wisp = 0.2;
+  constexpr int Particles = 400;
+  int wisps = 0;
+  for (int i = 0; i < Particles; ++i)
+  {
+    // The horizontal velocity stays with a particle, the other changes as it falls.
+    const double own = 1e-4 * (i + 1);
+    const auto young = streaksOf(droplet(own, 0.0, 5.0, 0.0), view);
+    const auto old = streaksOf(droplet(own, 0.0, 1.0, 0.4), view);
+    const bool wisp = breadthOf(young) > 0.1;
+    EXPECT_EQ(breadthOf(old) > 0.1, wisp) << i;
+    wisps += wisp;
+    if (wisp)
+    {
+      EXPECT_GT(breadthOf(old), 1.2 * breadthOf(young)) << i;
+      EXPECT_LT(valueOf(old, "Opacity"), 0.7 * valueOf(young, "Opacity")) << i;
+      EXPECT_LT(breadthOf(young), 2.9 * view.wisp) << i;
+    }
+  }
+  // Half of them, within five standard deviations.
+  EXPECT_NEAR(wisps, Particles / 2, 50);
+}
+
+TEST(SprayStreaks, AreDarkerWhereTheyFall)
+{
+  const StreakView view = fromSouth(10.0);
+  EXPECT_NEAR(valueOf(streaksOf(droplet(1.0, 0.0, 3.0), view), "Shade"), 1.0, Single);
+  const double slow = valueOf(streaksOf(droplet(1.0, 0.0, -1.0), view), "Shade");
+  const double fast = valueOf(streaksOf(droplet(1.0, 0.0, -3.0), view), "Shade");
+  EXPECT_LT(slow, 0.99);
+  EXPECT_LT(fast, slow - 0.1);
+  EXPECT_GT(fast, 0.5);
 }
