@@ -219,7 +219,10 @@ std::string landCode()
   vec3 sand = vec3(0.60, 0.49, 0.35) * (0.82 + 0.36 * grain);
   vec3 grass = vec3(0.13, 0.19, 0.06) * (0.6 + 0.8 * spots);
   float green = smoothstep(2.0 * waveHeight, 3.5 * waveHeight, height + 2.0 * waveHeight * (spots - 0.5));
-  vec3 albedo = mix(sand, grass, green) * mix(1.0, 0.5, wet);
+  // Neither stays on steep faces: rock.
+  float steep = 1.0 - smoothstep(0.66, 0.86, normalize(normal).z);
+  vec3 rock = vec3(0.30, 0.27, 0.24) * (0.55 + 0.5 * grain + 0.4 * spots);
+  vec3 albedo = mix(mix(sand, grass, green), rock, steep) * mix(1.0, 0.5, wet);
   vec3 overhead = skyLight(vec3(0.0, 0.0, 1.0));
   vec3 lit = 3.1 * sunSeen * middle * sunColor * max(dot(n, sunDirection), 0.0) + 0.6 * (overhead + 0.3 * middle);
   vec3 light = albedo * lit;
