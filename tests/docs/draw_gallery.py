@@ -19,7 +19,7 @@ SQUARE = 5
 OTHER = 12
 # Share of squares that may be others.
 MOST_OTHER = 0.03
-LARGEST = 150_000  # bytes of a picture kept
+LARGEST = 200_000  # bytes of a picture kept
 
 
 def section_of(text, picture):
