@@ -37,7 +37,18 @@ constexpr double LeastAcross = 60.0;
 constexpr double LeastUp = 50.0;
 constexpr double UnitsAcross = 84.0;
 
+// A small picture has larger type, so that it can be read: this many units across one of so many pixels or fewer.
+constexpr double SmallUnitsAcross = 66.0;
+constexpr double SmallWidth = 700.0;
+
 constexpr int StandardWidth = 1600;
+
+double unitsAcross(double width)
+{
+  const double share = std::clamp((width - SmallWidth) / (StandardWidth - SmallWidth), 0.0, 1.0);
+  return SmallUnitsAcross + share * (UnitsAcross - SmallUnitsAcross);
+}
+
 constexpr int TallestStandard = 2000;
 
 // A picture is drawn larger and averaged down: smooth edges on any graphics driver.
@@ -71,7 +82,7 @@ ChartLayout layOutChart(const std::optional<std::array<int, 2>>& size, double as
   {
     layout.width = (*size)[0];
     layout.height = (*size)[1];
-    layout.unit = std::min(layout.width / UnitsAcross, layout.height / LeastUp);
+    layout.unit = std::min(layout.width / unitsAcross(layout.width), layout.height / LeastUp);
   }
   else
   {
