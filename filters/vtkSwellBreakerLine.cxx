@@ -98,8 +98,9 @@ int vtkSwellBreakerLine::RequestData(
       this->MaxGapOfRays ? GapOverMaxSpacing * swellray::fieldValue(input, "MaxSpacing").value_or(0.0) : this->MaxGap;
     swellray::BreakerSea sea;
     sea.wave = swellray::tracedWave(input);
-    sea.random = swellray::fieldString(input, "BreakingRule").value_or("") ==
-      swellray::breakingRuleName(swellray::BreakingRule::BattjesJanssen);
+    const std::string rule = swellray::fieldString(input, "BreakingRule").value_or("");
+    sea.random = rule == swellray::breakingRuleName(swellray::BreakingRule::BattjesJanssen) ||
+      rule == swellray::breakingRuleName(swellray::BreakingRule::Baldock);
     const auto seafloor = this->Seafloor->get(image, this->GetInputArrayToProcess(0, inputVector));
 
     const std::vector<std::int64_t> offsets = swellray::rayOffsets(input);

@@ -18,7 +18,7 @@ class SeafloorField;
  * @brief   wave height and direction by the mild-slope equation: with diffraction and reflection
  *
  * Wraps swellray::solveMildSlope (equations there): where rays cross, cast shadows or focus, heights are finite and
- * continuous. One regular wave; with Battjes-Janssen breaking its height is the root mean square of a sea's.
+ * continuous. One regular wave; with the breaking of Battjes-Janssen or Baldock its height is the root mean square of a sea's.
  *
  * Input 0: vtkImageData, the seafloor, point array Elevation (m, positive up).
  * Input 1: vtkPolyData, optional, points (m, in the scene's plane; their heights do not count).
@@ -162,12 +162,12 @@ public:
 
   ///@{
   /** Breaking: one of vtkSwellWaveHeight::BreakingRules; default 1, H <= gamma h. */
-  vtkSetClampMacro(BreakingRule, int, 0, 5);
+  vtkSetClampMacro(BreakingRule, int, 0, 6);
   vtkGetMacro(BreakingRule, int);
   ///@}
 
   ///@{
-  /** Breaker index H/h; >= 0, default 0: 0.78, or with Battjes-Janssen by the steepness. */
+  /** Breaker index H/h; >= 0, default 0: 0.78, with Battjes-Janssen by the steepness, with Baldock by the kh of each place. */
   vtkSetMacro(Gamma, double);
   vtkGetMacro(Gamma, double);
   ///@}

@@ -69,7 +69,8 @@ public:
   {
     NO_BREAKING = 0,
     GAMMA_BREAKING = 1,
-    BATTJES_JANSSEN_BREAKING = 5
+    BATTJES_JANSSEN_BREAKING = 5,
+    BALDOCK_BREAKING = 6
   };
 
   enum EdgeRules
@@ -165,20 +166,21 @@ public:
 
   ///@{
   /**
-   * No breaking; Hs at most Gamma h (saturation, default); random waves of Battjes and Janssen along their ways, which are
-   * not to be had from a transfer file. Other numbers of vtkSwellWaveHeight are refused.
+   * No breaking; Hs at most Gamma h (saturation, default); random waves of Battjes and Janssen or of Baldock et al. along
+   * their ways, which are not to be had from a transfer file. Other numbers of vtkSwellWaveHeight are refused.
    */
   vtkSetMacro(BreakingRule, int);
   vtkGetMacro(BreakingRule, int);
   void SetBreakingRuleToNone() { this->SetBreakingRule(NO_BREAKING); }
   void SetBreakingRuleToGamma() { this->SetBreakingRule(GAMMA_BREAKING); }
   void SetBreakingRuleToBattjesJanssen() { this->SetBreakingRule(BATTJES_JANSSEN_BREAKING); }
+  void SetBreakingRuleToBaldock() { this->SetBreakingRule(BALDOCK_BREAKING); }
   ///@}
 
   ///@{
   /**
-   * Largest Hs over depth, or with Battjes-Janssen the breaker index; > 0, or 0 (default): 0.6, or by the steepness
-   * (Battjes and Stive 1985).
+   * Largest Hs over depth, or of random waves the breaker index; > 0, or 0 (default): 0.6, with Battjes-Janssen by the steepness
+   * (Battjes and Stive 1985), with Baldock by the kh of each place (Ruessink et al. 2003).
    */
   vtkSetMacro(Gamma, double);
   vtkGetMacro(Gamma, double);

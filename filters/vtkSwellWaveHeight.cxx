@@ -152,7 +152,7 @@ int vtkSwellWaveHeight::RequestData(
     {
       out->AddArray(frictions);
     }
-    double* brokenShare = options.breaking == swellray::BreakingRule::BattjesJanssen
+    double* brokenShare = swellray::ofRandomWaves(options.breaking)
       ? swellray::addArray<vtkDoubleArray>(out, "BrokenShare", points)
       : nullptr;
     swellray::setFieldString(output, "BreakingRule", swellray::breakingRuleName(options.breaking));

@@ -19,16 +19,16 @@
  *
  * Output: the input, its arrays shared, with these point arrays added
  * - RefractionCoefficient (double): Kr in use
- * - WaveHeight (double, m): crest to trough; with Battjes-Janssen the root mean square of a sea's heights, as is then
+ * - WaveHeight (double, m): crest to trough; with Battjes-Janssen and Baldock the root mean square of a sea's heights, as is then
  *   the incident height
  * - EnergyFlux (double, W/m): along the ray, a metre across it; on a current omega times the flux of wave action
  * - OrbitalVelocity (double, m/s): amplitude near the bed
- * - Breaking (unsigned char): 1 where the wave is broken (Battjes-Janssen: more than 5 % of the waves), otherwise 0
+ * - Breaking (unsigned char): 1 where the wave is broken (of a sea: more than 5 % of the waves), otherwise 0
  * - BreakerType (unsigned char): 0 not broken, 1 spilling, 2 plunging, 3 surging: by the Iribarren number xi_0 where this
  *   breaking began, of the slope along the ray and the height in deep water
  * - BreakingDistance (double, m): way along the ray since breaking began, 0 where it is not broken
  * - FrictionCoefficient (double), only with friction: what it alone has left of the height
- * - BrokenShare (double), only with Battjes-Janssen: share of the waves that are broken, 0 to 1
+ * - BrokenShare (double), only of a sea (Battjes-Janssen, Baldock): share of the waves that are broken, 0 to 1
  * and the field data BreakingRule, CausticRule (strings, as the command line names them) and BreakerIndex (double, gamma in use).
  *
  * Changing an option here does not trace again. After an abort the output is empty.
@@ -60,7 +60,8 @@ public:
     WEGGEL_BREAKING = 2,
     MICHE_BREAKING = 3,
     DALLY_BREAKING = 4,
-    BATTJES_JANSSEN_BREAKING = 5
+    BATTJES_JANSSEN_BREAKING = 5,
+    BALDOCK_BREAKING = 6
   };
 
   ///@{
@@ -74,9 +75,9 @@ public:
   ///@{
   /**
    * No breaking; saturated at Gamma h (default), at Weggel's or at Miche's limit; Dally, Dean and Dalrymple's decay and
-   * reformation; random waves of Battjes and Janssen.
+   * reformation; random waves of Battjes and Janssen, or of Baldock et al.
    */
-  vtkSetClampMacro(BreakingRule, int, NO_BREAKING, BATTJES_JANSSEN_BREAKING);
+  vtkSetClampMacro(BreakingRule, int, NO_BREAKING, BALDOCK_BREAKING);
   vtkGetMacro(BreakingRule, int);
   void SetBreakingRuleToNone() { this->SetBreakingRule(NO_BREAKING); }
   void SetBreakingRuleToGamma() { this->SetBreakingRule(GAMMA_BREAKING); }
@@ -84,12 +85,14 @@ public:
   void SetBreakingRuleToMiche() { this->SetBreakingRule(MICHE_BREAKING); }
   void SetBreakingRuleToDally() { this->SetBreakingRule(DALLY_BREAKING); }
   void SetBreakingRuleToBattjesJanssen() { this->SetBreakingRule(BATTJES_JANSSEN_BREAKING); }
+  void SetBreakingRuleToBaldock() { this->SetBreakingRule(BALDOCK_BREAKING); }
   ///@}
 
   ///@{
   /**
-   * Breaker index H/h; > 0, or 0 (default): 0.78, for Battjes-Janssen by the steepness (Battjes and Stive 1985). Used
-   * by gamma, dally (there above 0.4) and battjes-janssen, and by all for rays aground.
+   * Breaker index H/h; > 0, or 0 (default): 0.78, for Battjes-Janssen by the steepness (Battjes and Stive 1985), for
+   * Baldock of each place by its kh (Ruessink et al. 2003). Used by gamma, dally (there above 0.4), battjes-janssen and baldock, and by
+   * all for rays aground.
    */
   vtkSetMacro(Gamma, double);
   vtkGetMacro(Gamma, double);

@@ -36,7 +36,7 @@ struct BreakerRays
 struct BreakerSea
 {
   IncidentWave wave;
-  bool random = false; ///< heights are root mean square heights of a sea (Battjes-Janssen)
+  bool random = false; ///< heights are root mean square heights of a sea (ofRandomWaves())
 };
 
 /** Where waves begin to break: points offsets[i] to offsets[i + 1] - 1 form line i, in the order of lambda. */

@@ -12,8 +12,13 @@ namespace swellray
 const char* breakingRuleName(BreakingRule rule)
 {
   static constexpr std::array<const char*, BreakingRuleCount> Names{ "none", "gamma", "weggel", "miche", "dally",
-    "battjes-janssen" };
+    "battjes-janssen", "baldock" };
   return Names.at(static_cast<std::size_t>(rule));
+}
+
+bool ofRandomWaves(BreakingRule rule)
+{
+  return rule == BreakingRule::BattjesJanssen || rule == BreakingRule::Baldock;
 }
 
 double weggelHeight(double depth, double slope, double period, double gravity)
@@ -70,6 +75,28 @@ double randomWaveLossRate(double ratio, double period)
 {
   const double r = std::min(ratio, 1.0);
   return r > 0.0 ? 2.0 / period * brokenShare(r) / (r * r) : 0.0;
+}
+
+double ruessinkGamma(double wavenumber, double depth)
+{
+  return 0.76 * wavenumber * depth + 0.29;
+}
+
+double higherShare(double ratio)
+{
+  return ratio > 0.0 ? std::exp(-1.0 / (ratio * ratio)) : 0.0;
+}
+
+double baldockLossRate(double ratio, double heightOverDepth, double period)
+{
+  if (!(ratio > 0.0))
+  {
+    return 0.0;
+  }
+  const double r = 1.0 / ratio;
+  const double root = std::sqrt(Pi);
+  const double share = 4.0 / (3.0 * root) * r * (r * r + 1.5) * std::exp(-r * r) + std::erfc(r);
+  return 1.5 * root * heightOverDepth / period * share;
 }
 
 double iribarrenNumber(double slope, double height, double period, double gravity)

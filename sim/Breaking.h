@@ -19,13 +19,17 @@ enum class BreakingRule : std::uint8_t
   Miche = 3,          ///< saturated at micheHeight
   Dally = 4,          ///< breaks at gamma h, decays towards a stable height, reforms (Dally, Dean, Dalrymple 1985)
   BattjesJanssen = 5, ///< random waves, H is the root mean square height (Battjes and Janssen 1978)
+  Baldock = 6,        ///< the same, all waves above a height broken (Baldock et al. 1998, Janssen and Battjes 2007)
 };
 
 /** Number of rules. */
-constexpr int BreakingRuleCount = 6;
+constexpr int BreakingRuleCount = 7;
 
 /** Name of a rule as the command line has it: "battjes-janssen". */
 const char* breakingRuleName(BreakingRule rule);
+
+/** True where heights are root mean square heights of a sea: BattjesJanssen and Baldock. */
+bool ofRandomWaves(BreakingRule rule);
 
 /** How a wave breaks. The numbers are those of the array BreakerType. */
 enum class BreakerType : std::uint8_t
@@ -72,6 +76,30 @@ double brokenShare(double ratio);
  * @param ratio Hrms/Hm, >= 0; above 1 taken as 1
  */
 double randomWaveLossRate(double ratio, double period);
+
+/**
+ * Breaker index gamma = 0.76 kh + 0.29 of a place, found from measured waves over barred beaches for kh of 0.25 to 0.75. Ruessink,
+ * Walstra and Southgate 2003, Calibration and verification of a parametric wave model on barred beaches, Coastal Eng. 48.
+ */
+double ruessinkGamma(double wavenumber, double depth);
+
+/**
+ * Share of Rayleigh distributed waves that are higher than Hb, exp(-(Hb/Hrms)^2). Baldock, Holmes, Bunker and van Weert 1998,
+ * Cross-shore hydrodynamics within an unsaturated surf zone, Coastal Eng. 34.
+ * @param ratio Hrms/Hb, >= 0
+ */
+double higherShare(double ratio);
+
+/**
+ * Rate at which random waves lose energy where all those above Hb break, each as a bore that loses rho g H^3/(4 T h):
+ *
+ *   D/E = (3 sqrt(pi)/2)(Hrms/h)/T (1 + 4/(3 sqrt(pi)) (R^3 + 3/2 R) exp(-R^2) - erf R),  R = Hb/Hrms
+ *
+ * Janssen and Battjes 2007, A note on wave energy dissipation over steep beaches, Coastal Eng. 54; Alsina and Baldock 2007, ibid.
+ * @param ratio Hrms/Hb, >= 0
+ * @param heightOverDepth Hrms/h
+ */
+double baldockLossRate(double ratio, double heightOverDepth, double period);
 
 /** Dally, Dean and Dalrymple 1985: decay coefficient K and stable height over depth, Gamma. */
 constexpr double DallyDecay = 0.15;

@@ -19,6 +19,8 @@ constexpr int MostChanges = 4;
 
 // Random waves count as breaking where more than 5 % are broken: Qb = 0.05 at this Hrms/Hm.
 const double RandomOnset = std::sqrt(-0.95 / std::log(0.05));
+// Of waves of Baldock at this one.
+const double HigherOnset = std::sqrt(-1.0 / std::log(0.05));
 
 // A saturated wave stays broken where it is as high as its limit up to rounding: over a flat, for instance.
 constexpr double Rounding = 1e-9;
@@ -76,15 +78,39 @@ double BreakingMarch::limit(const SurfSample& sample) const
   case BreakingRule::Miche:
     return micheHeight(sample.wavenumber, sample.depth);
   case BreakingRule::BattjesJanssen:
-    return randomWaveLimit(sample.wavenumber, sample.depth, this->Rule.gamma);
+    return this->randomLimit(sample);
+  case BreakingRule::Baldock:
+    return std::numeric_limits<double>::infinity();
   default:
     return this->Rule.gamma * sample.depth;
   }
 }
 
+double BreakingMarch::indexAt(const SurfSample& sample) const
+{
+  return this->Rule.localGamma ? ruessinkGamma(sample.wavenumber, sample.depth) : this->Rule.gamma;
+}
+
+double BreakingMarch::randomLimit(const SurfSample& sample) const
+{
+  return randomWaveLimit(sample.wavenumber, sample.depth, this->indexAt(sample));
+}
+
+double BreakingMarch::randomLossRate(const SurfSample& sample, double share) const
+{
+  const double height = sample.lossless * std::sqrt(share);
+  const double ratio = height / this->randomLimit(sample);
+  return this->Rule.breaking == BreakingRule::Baldock ? baldockLossRate(ratio, height / sample.depth, this->Rule.period)
+                                                      : randomWaveLossRate(ratio, this->Rule.period);
+}
+
 double BreakingMarch::onset(const SurfSample& sample) const
 {
-  return this->Rule.breaking == BreakingRule::BattjesJanssen ? RandomOnset * this->limit(sample) : this->limit(sample);
+  if (!ofRandomWaves(this->Rule.breaking))
+  {
+    return this->limit(sample);
+  }
+  return (this->Rule.breaking == BreakingRule::Baldock ? HigherOnset : RandomOnset) * this->randomLimit(sample);
 }
 
 double BreakingMarch::stableShare(const SurfSample& sample) const
@@ -101,9 +127,12 @@ double BreakingMarch::height() const
 
 double BreakingMarch::brokenShare() const
 {
-  return this->Rule.breaking == BreakingRule::BattjesJanssen
-    ? swellray::brokenShare(this->height() / this->limit(this->Here))
-    : (this->Broken ? 1.0 : 0.0);
+  if (!ofRandomWaves(this->Rule.breaking))
+  {
+    return this->Broken ? 1.0 : 0.0;
+  }
+  const double ratio = this->height() / this->randomLimit(this->Here);
+  return this->Rule.breaking == BreakingRule::Baldock ? higherShare(ratio) : swellray::brokenShare(ratio);
 }
 
 void BreakingMarch::begin(const SurfSample& sample)
@@ -131,12 +160,10 @@ double BreakingMarch::breakingLoss(const SurfSample& middle, double share, doubl
     const double excess = this->Broken ? share - this->stableShare(middle) : 0.0;
     return excess > 0.0 ? -excess * std::expm1(-DallyDecay * middle.groupSpeed / middle.depth * seconds) : 0.0;
   }
-  if (this->Rule.breaking == BreakingRule::BattjesJanssen)
+  if (ofRandomWaves(this->Rule.breaking))
   {
-    const auto rate = [&](double p)
-    { return randomWaveLossRate(middle.lossless * std::sqrt(p) / this->limit(middle), this->Rule.period); };
-    const double half = share * std::exp(-0.5 * rate(share) * seconds);
-    return -share * std::expm1(-rate(half) * seconds);
+    const double half = share * std::exp(-0.5 * this->randomLossRate(middle, share) * seconds);
+    return -share * std::expm1(-this->randomLossRate(middle, half) * seconds);
   }
   return 0.0;
 }
@@ -164,7 +191,7 @@ double BreakingMarch::shareAfter(const Step& step, double share, double w0, doub
   share -= this->breakingLoss(middle, share, seconds);
   share = rub(share);
 
-  const bool limited = this->Broken || this->Rule.breaking == BreakingRule::BattjesJanssen;
+  const bool limited = this->Broken || ofRandomWaves(this->Rule.breaking);
   const SurfSample end = step.at(w1);
   const double highest = limited ? this->limit(end) : 0.0;
   return limited && end.lossless * std::sqrt(share) > highest ? square(highest / end.lossless) : share;
@@ -239,6 +266,10 @@ void BreakingMarch::advance(const SurfSample& next, double seconds, double metre
   if (this->Rule.breaking == BreakingRule::BattjesJanssen)
   {
     rate = 2.0 / this->Rule.period;
+  }
+  else if (this->Rule.breaking == BreakingRule::Baldock)
+  {
+    rate = std::max(this->randomLossRate(step.from, this->Share), this->randomLossRate(step.to, this->Share));
   }
   else if (this->Rule.breaking == BreakingRule::Dally)
   {

@@ -20,6 +20,7 @@ struct SurfRule
 {
   BreakingRule breaking = BreakingRule::Gamma;
   double gamma = 0.78;     ///< breaker index, > 0
+  bool localGamma = false; ///< with Baldock, that of each place: ruessinkGamma()
   double friction = 0.0;   ///< bottom friction factor fw, >= 0
   double period = 10.0;    ///< s
   double gravity = 9.81;   ///< m/s2
@@ -53,6 +54,8 @@ struct RayLosses
  * Battjes and Janssen 1978, H the root mean square height, Hm randomWaveLimit(), at most Hm:
  *
  *   D = rho g Qb Hm^2/(4 T).
+ *
+ * Baldock et al. 1998: baldockLossRate(), Hb randomWaveLimit() of the index of the place; H has no limit.
  *
  * Between two points everything is linear in the way; sub-steps are midpoint steps, halved by friction (Strang), the
  * places where breaking begins and ends are found to rounding. All in all of second order in the distance of the points.
@@ -93,6 +96,11 @@ private:
     SurfSample at(double w) const;
   };
 
+  /** Breaker index here. */
+  double indexAt(const SurfSample& sample) const;
+  /** Height of random waves at which they are told to break, m: Hm or Hb. */
+  double randomLimit(const SurfSample& sample) const;
+  double randomLossRate(const SurfSample& sample, double share) const;
   /** The height at which breaking begins here, m. */
   double onset(const SurfSample& sample) const;
   /** The largest height here, m. */

@@ -97,13 +97,7 @@ void MildSlopeIncident::walk(const std::vector<Stop>& stops, const Seafloor& sea
 {
   const glm::dvec2 t0 = wave.direction();
   const double groupSpeed0 = wave.groupSpeed();
-  SurfRule rule;
-  rule.breaking = options.height.breaking;
-  rule.gamma = breakerIndex(options.height, wave);
-  rule.friction = options.height.friction;
-  rule.period = wave.period;
-  rule.gravity = wave.gravity;
-  rule.deepHeight = deepWaterHeight(wave);
+  const SurfRule rule = surfRule(options.height, wave);
 
   std::optional<BreakingMarch> march;
   double phase = 0.0;

@@ -105,6 +105,9 @@ double MildSlopeFeedback::limit(const MildSlopeMesh::Medium& medium, double slop
     return micheHeight(medium.linearWavenumber(), medium.depth);
   case BreakingRule::BattjesJanssen:
     return randomWaveLimit(medium.linearWavenumber(), medium.depth, this->Gamma);
+  case BreakingRule::Baldock:
+    return randomWaveLimit(medium.linearWavenumber(), medium.depth,
+      this->Options.gamma.value_or(ruessinkGamma(medium.linearWavenumber(), medium.depth)));
   default:
     return this->Gamma * medium.depth;
   }
@@ -142,6 +145,10 @@ double MildSlopeFeedback::lossAt(
   {
     loss += randomWaveLossRate(height / highest, this->Wave.period);
   }
+  else if (this->Options.breaking == BreakingRule::Baldock)
+  {
+    loss += baldockLossRate(height / highest, height / medium.depth, this->Wave.period);
+  }
   else if (broken)
   {
     const bool dally = this->Options.breaking == BreakingRule::Dally;
@@ -169,8 +176,10 @@ void MildSlopeFeedback::findBroken(const MildSlopeMesh& mesh)
       }
       const double slope = this->Options.breaking == BreakingRule::Weggel ? this->slopeAt(mesh, i, j) : 0.0;
       const double ratio = this->Heights[e] / this->limit(medium, slope);
-      this->Broken[e] =
-        this->Options.breaking == BreakingRule::BattjesJanssen ? brokenShare(ratio) > BrokenShare : ratio > Saturation;
+      const bool higher = this->Options.breaking == BreakingRule::Baldock;
+      this->Broken[e] = ofRandomWaves(this->Options.breaking)
+        ? (higher ? higherShare(ratio) : brokenShare(ratio)) > BrokenShare
+        : ratio > Saturation;
     }
   }
 }

@@ -35,6 +35,7 @@ public:
    *                          1.25 times the slope of the bed where it breaks
    *   dally                  K (Cg/h) (1 - (0.4 h/H)^2), K = 0.15, from where H > gamma h on, down the wave, until H <= 0.4 h
    *   battjes-janssen        randomWaveLossRate(H/Hm)
+   *   baldock                baldockLossRate(H/Hb, H/h)
    *
    * @param eta one a node of the mesh
    * @return root mean square change of the heights since the call before, over that of the heights; 1 the first time
@@ -44,7 +45,7 @@ public:
   /** One an element of the scene: 1 where the wave breaks; of random waves where more than 5 % do. */
   const std::vector<std::uint8_t>& breaking() const { return this->Broken; }
 
-  /** The largest height that the rule leaves a wave, m; infinity where it has none. */
+  /** The largest height that the rule leaves a wave, m; infinity where it has none; of baldock that above which waves break. */
   double limit(const MildSlopeMesh::Medium& medium, double slope) const;
 
   /** A height, no higher than the limit of a rule whose waves are saturated. */

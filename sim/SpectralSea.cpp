@@ -34,10 +34,10 @@ void scale(DirectionalSpectrum& spectrum, double share)
 void SpectralSeaOptions::validate() const
 {
   rays.validate();
-  if (breaking != BreakingRule::None && breaking != BreakingRule::Gamma && breaking != BreakingRule::BattjesJanssen)
+  if (breaking != BreakingRule::None && breaking != BreakingRule::Gamma && !ofRandomWaves(breaking))
   {
     throw std::invalid_argument(std::string("a sea has no breaking rule ") + breakingRuleName(breaking) +
-      "; it has none, gamma and battjes-janssen");
+      "; it has none, gamma, battjes-janssen and baldock");
   }
   if (gamma && !(*gamma > 0.0 && std::isfinite(*gamma)))
   {
@@ -66,9 +66,10 @@ std::vector<PlaceSea> transformPlaces(const SpectralSeaOptions& options, const D
   const Execution& execution, std::vector<DirectionalSpectrum>* spectra)
 {
   options.validate();
-  if (options.breaking == BreakingRule::BattjesJanssen && !surf)
+  if (ofRandomWaves(options.breaking) && !surf)
   {
-    throw std::invalid_argument("breaking by Battjes and Janssen needs rays along the way, which kept ones are not");
+    throw std::invalid_argument(std::string("breaking by ") + breakingRuleName(options.breaking) +
+      " needs rays along the way, which kept ones are not");
   }
   std::vector<PlaceSea> result(count);
   for (PlaceSea& sea : result)
@@ -134,10 +135,10 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
   std::vector<DirectionalSpectrum>* spectra)
 {
   std::optional<SpectralSurf> surf;
-  if (options.breaking == BreakingRule::BattjesJanssen)
+  if (ofRandomWaves(options.breaking))
   {
     options.validate();
-    surf.emplace(tracer, options.rays, offshore, options.gamma);
+    surf.emplace(tracer, options.rays, offshore, options.breaking, options.gamma);
   }
   return transformPlaces(
     options, offshore, places.size(),

@@ -15,10 +15,10 @@ struct SpectralSeaOptions
 
   /**
    * What becomes of a sea that is too high for the depth; its spectrum is scaled down as a whole. None; Gamma: Hs <= gamma h
-   * (saturation, Thornton and Guza 1982, J. Geophys. Res. 87); BattjesJanssen: along the waves' ways (SpectralSurf).
+   * (saturation, Thornton and Guza 1982, J. Geophys. Res. 87); BattjesJanssen, Baldock: along the waves' ways (SpectralSurf).
    */
   BreakingRule breaking = BreakingRule::None;
-  std::optional<double> gamma; ///< none: SaturationGamma, or with BattjesJanssen by the steepness
+  std::optional<double> gamma; ///< none: SaturationGamma, or as SpectralSurf has it
 
   /** @throws std::invalid_argument */
   void validate() const;
@@ -51,7 +51,7 @@ std::vector<PlaceSea> transformSea(const BackwardTracer& tracer, const SpectralS
   std::vector<DirectionalSpectrum>* spectra = nullptr);
 
 /**
- * The same from places that were traced before; not with BreakingRule::BattjesJanssen, which needs rays of its own.
+ * The same from places that were traced before; not with breaking along the way, which needs rays of its own.
  * @param origins from traceOrigins() with these rays
  */
 std::vector<PlaceSea> transformSea(const SpectralSeaOptions& options, const DirectionalSpectrum& offshore,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace swellray
 {
@@ -37,25 +38,33 @@ SurfSample sampleOf(double depth, double wavenumber, double groupSpeed, double h
 }
 
 SpectralSurf::SpectralSurf(const BackwardTracer& tracer, const SpectralRays& rays, const DirectionalSpectrum& offshore,
-  std::optional<double> gamma)
+  BreakingRule rule, std::optional<double> gamma)
   : Tracer(tracer)
   , Rays(rays)
   , Offshore(offshore)
 {
+  if (!ofRandomWaves(rule))
+  {
+    throw std::invalid_argument(std::string("random waves have no breaking rule ") + breakingRuleName(rule) +
+      "; they have battjes-janssen and baldock");
+  }
   if (gamma && !(*gamma > 0.0 && std::isfinite(*gamma)))
   {
     throw std::invalid_argument("gamma, the breaker index, must be above 0");
   }
   const SeaParameters sea = seaParameters(offshore);
-  this->Height = sea.significantHeight;
-  this->Period = sea.peakPeriod;
+  this->Rule.breaking = rule;
+  this->Rule.localGamma = rule == BreakingRule::Baldock && !gamma;
+  this->Rule.deepHeight = sea.significantHeight;
+  this->Rule.period = sea.peakPeriod;
+  this->Rule.gravity = tracer.options().gravity;
   const double omega = 2.0 * Pi / sea.peakPeriod;
-  const double gravity = tracer.options().gravity;
+  const double gravity = this->Rule.gravity;
   const double depth = tracer.options().offshoreDepth;
   const double k = solveWavenumber(omega, depth, gravity);
   const double inDeepWater = std::sqrt(waveSpeeds(k, depth, gravity).groupSpeed * 2.0 * omega / gravity);
   const double length = 2.0 * Pi * gravity / (omega * omega);
-  this->Gamma = gamma.value_or(battjesStiveGamma(this->Height / std::sqrt(2.0) * inDeepWater / length));
+  this->Rule.gamma = gamma.value_or(battjesStiveGamma(this->Rule.deepHeight / std::sqrt(2.0) * inDeepWater / length));
 }
 
 double SpectralSurf::rootMeanSquareHeight(const glm::dvec2& place, Outcome& outcome) const
@@ -72,10 +81,9 @@ double SpectralSurf::rootMeanSquareHeight(const glm::dvec2& place, Outcome& outc
   return seaParameters(spectrum).significantHeight / std::sqrt(2.0);
 }
 
-double SpectralSurf::shareAlong(
-  const std::vector<RayPoint>& way, const SurfRule& rule, double height, Outcome& outcome) const
+double SpectralSurf::shareAlong(const std::vector<RayPoint>& way, double height, Outcome& outcome) const
 {
-  const double highest = std::max(this->Height, height * std::sqrt(2.0));
+  const double highest = std::max(this->Rule.deepHeight, height * std::sqrt(2.0));
   const auto first =
     std::find_if(way.begin(), way.end() - 1, [&](const RayPoint& p) { return p.depth < SurfReach * highest; });
   const auto begin = static_cast<std::size_t>(first - way.begin());
@@ -84,7 +92,7 @@ double SpectralSurf::shareAlong(
   const auto groupSpeed = [&](const RayPoint& p)
   {
     Frequency f;
-    evaluateFrequency(glm::length(p.wavenumber), p.depth, rule.gravity, f);
+    evaluateFrequency(glm::length(p.wavenumber), p.depth, this->Rule.gravity, f);
     return f.k;
   };
   const std::size_t last = way.size() - 1;
@@ -120,7 +128,7 @@ double SpectralSurf::shareAlong(
     return sampleOf(way[j].depth, glm::length(way[j].wavenumber), speed, here / std::sqrt(speed));
   };
   const MapScale* map = this->Tracer.options().map;
-  BreakingMarch march(rule, sample(begin));
+  BreakingMarch march(this->Rule, sample(begin));
   for (std::size_t j = begin + 1; j <= last; ++j)
   {
     const double scale = map ? map->scale(0.5 * (way[j].position + way[j - 1].position)) : 1.0;
@@ -133,24 +141,18 @@ double SpectralSurf::shareAlong(
 SpectralSurf::Outcome SpectralSurf::at(const glm::dvec2& place, double depth, const DirectionalSpectrum& unbroken) const
 {
   const double height = seaParameters(unbroken).significantHeight / std::sqrt(2.0);
-  if (!(height > 0.0) || !std::isfinite(this->Period))
+  const double period = this->Rule.period;
+  if (!(height > 0.0) || !std::isfinite(period))
   {
     return {};
   }
-  const double gravity = this->Tracer.options().gravity;
-  SurfRule rule;
-  rule.breaking = BreakingRule::BattjesJanssen;
-  rule.gamma = this->Gamma;
-  rule.period = this->Period;
-  rule.gravity = gravity;
-  rule.deepHeight = this->Height;
 
   // The sea's directions at the frequency nearest to its peak, by the energy in each.
   const std::vector<double>& headings = unbroken.grid.headings;
   std::size_t peak = 0;
   for (std::size_t f = 1; f < unbroken.grid.frequencies.size(); ++f)
   {
-    const auto distance = [&](std::size_t i) { return std::abs(unbroken.grid.frequencies[i] - 1.0 / this->Period); };
+    const auto distance = [&](std::size_t i) { return std::abs(unbroken.grid.frequencies[i] - 1.0 / period); };
     peak = distance(f) < distance(peak) ? f : peak;
   }
   double most = 0.0;
@@ -176,13 +178,13 @@ SpectralSurf::Outcome SpectralSurf::at(const glm::dvec2& place, double depth, co
     if (std::isfinite(origin.heading) && way.size() > 1)
     {
       energy += part;
-      left += part * this->shareAlong(way, rule, height, outcome);
+      left += part * this->shareAlong(way, height, outcome);
     }
   }
   const double share = energy > 0.0 ? left / energy : 1.0;
-  const double k = solveWavenumber(2.0 * Pi / this->Period, depth, gravity);
-  const BreakingMarch here(
-    rule, sampleOf(depth, k, waveSpeeds(k, depth, gravity).groupSpeed, height * std::sqrt(share)));
+  const double k = solveWavenumber(2.0 * Pi / period, depth, this->Rule.gravity);
+  const double groupSpeed = waveSpeeds(k, depth, this->Rule.gravity).groupSpeed;
+  const BreakingMarch here(this->Rule, sampleOf(depth, k, groupSpeed, height * std::sqrt(share)));
   outcome.share = share * here.share();
   outcome.breaking = here.broken();
   return outcome;

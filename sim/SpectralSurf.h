@@ -10,7 +10,7 @@ namespace swellray
 {
 
 /**
- * Random waves that break on their way to a place (Battjes and Janssen 1978, see BreakingMarch).
+ * Random waves that break on their way to a place (Battjes and Janssen 1978 or Baldock et al. 1998, see BreakingMarch).
  *
  * A sea is followed along the ways of its waves of the peak frequency, one for each direction in which they arrive with at
  * least 5 % of the energy of the main one. A way begins where waves of 1.5 times the height could break. Without losses the
@@ -31,31 +31,31 @@ public:
 
   /**
    * Tracer, rays and sea must outlive this.
-   * @param gamma breaker index; none: of the steepness in deep water (battjesStiveGamma)
+   * @param rule BattjesJanssen or Baldock
+   * @param gamma breaker index; none: of the steepness in deep water (battjesStiveGamma), with Baldock of each place
    * @throws std::invalid_argument
    */
   SpectralSurf(const BackwardTracer& tracer, const SpectralRays& rays, const DirectionalSpectrum& offshore,
-    std::optional<double> gamma);
+    BreakingRule rule, std::optional<double> gamma);
 
   /**
-   * What breaking leaves. The largest height at the place holds in any case. May be called from several threads at once.
+   * What breaking leaves. The largest height of Battjes and Janssen at the place holds in any case. May be called from several threads at once.
    * @param depth m, > 0
    * @param unbroken the sea at the place without breaking, on the grid of the rays
    */
   Outcome at(const glm::dvec2& place, double depth, const DirectionalSpectrum& unbroken) const;
 
-  double gamma() const { return this->Gamma; }
+  /** Of the whole sea; with Baldock's index of each place not in use. */
+  double gamma() const { return this->Rule.gamma; }
 
 private:
-  double shareAlong(const std::vector<RayPoint>& way, const SurfRule& rule, double height, Outcome& outcome) const;
+  double shareAlong(const std::vector<RayPoint>& way, double height, Outcome& outcome) const;
   double rootMeanSquareHeight(const glm::dvec2& place, Outcome& outcome) const;
 
   const BackwardTracer& Tracer;
   const SpectralRays& Rays;
   const DirectionalSpectrum& Offshore;
-  double Height = 0.0; // Hs offshore, m
-  double Period = 0.0; // of the peak offshore, s; NaN without a sea
-  double Gamma = 0.0;
+  SurfRule Rule; // period of the peak offshore, NaN without a sea; its deepHeight is Hs offshore
 };
 
 }

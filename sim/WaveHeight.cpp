@@ -61,8 +61,8 @@ std::vector<double> waysAlong(const RayProfile& profile)
 
 void requireArrays(const RayProfile& profile, const HeightOptions& options)
 {
-  const bool marches = options.friction > 0.0 || options.breaking == BreakingRule::Dally ||
-    options.breaking == BreakingRule::BattjesJanssen;
+  const bool marches =
+    options.friction > 0.0 || options.breaking == BreakingRule::Dally || ofRandomWaves(options.breaking);
   if (marches && !profile.travelTime)
   {
     throw std::invalid_argument("friction and breaking by the way need the travel times of the ray");
@@ -129,6 +129,19 @@ double breakerIndex(const HeightOptions& options, const IncidentWave& wave)
   const double deepLength = wave.gravity * wave.period * wave.period / (2.0 * Pi);
   return options.breaking == BreakingRule::BattjesJanssen ? battjesStiveGamma(deepWaterHeight(wave) / deepLength)
                                                           : StandardGamma;
+}
+
+SurfRule surfRule(const HeightOptions& options, const IncidentWave& wave)
+{
+  SurfRule rule;
+  rule.breaking = options.breaking;
+  rule.gamma = breakerIndex(options, wave);
+  rule.localGamma = options.breaking == BreakingRule::Baldock && !options.gamma;
+  rule.friction = options.friction;
+  rule.period = wave.period;
+  rule.gravity = wave.gravity;
+  rule.deepHeight = deepWaterHeight(wave);
+  return rule;
 }
 
 RayLosses lossesAt(const RayLossArrays& ray, double phase)
@@ -201,9 +214,7 @@ void computeHeights(
     sample.lossless = wave.height * profile.shoaling[i] * refraction * profile.reflection;
     return sample;
   };
-  const SurfRule rule{ options.breaking, breakerIndex(options, wave), options.friction, wave.period, wave.gravity,
-    deepWaterHeight(wave) };
-  BreakingMarch march(rule, sampleAt(0), profile.before);
+  BreakingMarch march(surfRule(options, wave), sampleAt(0), profile.before);
   for (std::size_t i = 0; i < count; ++i)
   {
     if (i > 0)

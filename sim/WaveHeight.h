@@ -66,7 +66,7 @@ struct RayHeights
   std::vector<double> breakingDistance;  ///< way along the ray since breaking began, m; 0 where it does not break
   std::vector<double> friction;          ///< Kf: what bottom friction alone has left of the height
   std::vector<double> share;             ///< P: what breaking and friction have left of the wave action
-  std::vector<double> brokenShare;       ///< Qb of random waves (Battjes and Janssen 1978), otherwise 0 or 1
+  std::vector<double> brokenShare;       ///< of random waves the share that is broken, otherwise 0 or 1
 };
 
 /** Input of the heights along one ray: plain arrays, one entry a point, as they lie in a ray file. */
@@ -111,16 +111,19 @@ RayLosses lossesAt(const RayLossArrays& ray, double phase);
 
 /**
  * Breaker index in use: that of the options; for Battjes-Janssen otherwise that of Battjes and Stive 1985 for the wave's
- * steepness in deep water, else 0.78.
+ * steepness in deep water, else 0.78. (Baldock's waves have one of each place unless it is given; this one holds for rays aground.)
  */
 double breakerIndex(const HeightOptions& options, const IncidentWave& wave);
+
+/** What holds along each ray of the wave. */
+SurfRule surfRule(const HeightOptions& options, const IncidentWave& wave);
 
 /** Height of the wave in deep water, unrefracted, m: H0 sqrt(Cg/Cg_deep) of its offshore depth. */
 double deepWaterHeight(const IncidentWave& wave);
 
 /**
  * H = H0 Ks Kr (times what obstacles reflected) with the losses of BreakingMarch (equations there), point by point along a ray: bottom friction, and
- * breaking by the rule. With Battjes-Janssen H0 and all heights are root mean square heights of a sea of narrow
+ * breaking by the rule. With ofRandomWaves() H0 and all heights are root mean square heights of a sea of narrow
  * spectrum, Hrms = Hm0/sqrt 2, and the period is that of its peak; otherwise heights of a regular wave.
  *
  * Ks is taken as the tracer found it. Next to a fold caustic the width of the tube is that of the tube equation. Where the rule's coefficient is not known (NaN) the other one is taken; an

@@ -175,9 +175,10 @@ std::vector<OptionSpec> heightOptions(RayRequest& rays)
     choice("--breaking", "limit of the height in shallow water", "gamma", group, height.breaking,
       std::vector<std::pair<std::string, BreakingRule>>{ { "none", BreakingRule::None },
         { "gamma", BreakingRule::Gamma }, { "weggel", BreakingRule::Weggel }, { "miche", BreakingRule::Miche },
-        { "dally", BreakingRule::Dally }, { "battjes-janssen", BreakingRule::BattjesJanssen } }),
-    number("--gamma", "G", "breaker index: height over depth", "0.78; battjes-janssen: by the steepness", group,
-      height.gamma, PositiveNumber),
+        { "dally", BreakingRule::Dally }, { "battjes-janssen", BreakingRule::BattjesJanssen },
+        { "baldock", BreakingRule::Baldock } }),
+    number("--gamma", "G", "breaker index: height over depth",
+      "0.78; battjes-janssen: by the steepness; baldock: by the kh of each place", group, height.gamma, PositiveNumber),
     number("--friction", "FW", "bottom friction factor of Jonsson", "0", group, height.friction, NonNegativeNumber),
   };
 }

@@ -421,10 +421,11 @@ void checkSpectrum(Request& request)
   {
     throw UsageError("spectrum needs --direction DEG");
   }
-  if (sea.breaking == BreakingRule::BattjesJanssen && !(sea.series.empty() && sea.transfer.empty()))
+  if (ofRandomWaves(sea.breaking) && !(sea.series.empty() && sea.transfer.empty()))
   {
-    throw UsageError("--breaking battjes-janssen traces rays for each sea alone: leave out --series and --transfer, or "
-                     "choose --breaking gamma");
+    throw UsageError(fmt::format("--breaking {} traces rays for each sea alone: leave out --series and --transfer, or "
+                                 "choose --breaking gamma",
+      breakingRuleName(sea.breaking)));
   }
   if (sea.shape == SpectrumShape::Tma && !std::isfinite(request.rays.wave.offshoreDepth))
   {
@@ -507,9 +508,10 @@ CommandSpec spectrumSpec(Request& request)
   add(spec.options,
     { choice("--breaking", "what limits the height in shallow water", "gamma", group, sea.breaking,
         std::vector<std::pair<std::string, BreakingRule>>{ { "gamma", BreakingRule::Gamma },
-          { "battjes-janssen", BreakingRule::BattjesJanssen }, { "none", BreakingRule::None } }),
-      number("--gamma", "G", "largest Hs over depth; battjes-janssen: breaker index",
-        "0.6; battjes-janssen: by the steepness", group, sea.gamma, PositiveNumber),
+          { "battjes-janssen", BreakingRule::BattjesJanssen }, { "baldock", BreakingRule::Baldock },
+          { "none", BreakingRule::None } }),
+      number("--gamma", "G", "largest Hs over depth; battjes-janssen, baldock: breaker index",
+        "0.6; battjes-janssen: by the steepness; baldock: by the kh of each place", group, sea.gamma, PositiveNumber),
       number("--friction", "C", "bottom friction coefficient, m2/s3 (0.038: swell over sand)", "0", group, sea.friction,
         NonNegativeNumber) });
   add(spec.options, seafloorOptions(request.seafloor.options));

@@ -121,6 +121,12 @@ std::string breakingInWords(const RayRequest& rays)
     return breakingRuleName(options.breaking) + friction;
   case BreakingRule::Gamma:
     return fmt::format("H <= {:.3g} h", gamma) + friction;
+  case BreakingRule::Baldock:
+    if (!options.gamma)
+    {
+      return fmt::format("{}, gamma by the kh of each place", breakingRuleName(options.breaking)) + friction;
+    }
+    [[fallthrough]];
   default:
     return fmt::format("{}, gamma {:.3g}", breakingRuleName(options.breaking), gamma) + friction;
   }

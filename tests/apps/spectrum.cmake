@@ -9,6 +9,10 @@ swellray_cli_test(spectrum_spectra 0 "offshore Hs 2 m.*wrote    t.csv and s.sp2"
 swellray_cli_test(spectrum_map 0 "map .*wrote    m.nc" "" "${spectrum} --map m.nc --map-spacing 400 && test -s m.nc")
 swellray_cli_test(spectrum_random_breaking 0 "^x,y,name,.*\n50,100,buoy,1,0\\.[3-9][0-9]*,.*,1\n.*" ""
   "${spectrum} --breaking battjes-janssen --quiet --stations $IN/points.csv --table t.csv 2>err; code=$?; cat t.csv; exit $code")
+swellray_cli_test(spectrum_baldock 0 "^x,y,name,.*\n50,100,buoy,1,0\\.[2-9][0-9]*,.*,1\n.*" ""
+  "${spectrum} --breaking baldock --quiet --stations $IN/points.csv --table t.csv 2>err; code=$?; cat t.csv; exit $code")
+swellray_cli_test(spectrum_baldock_kept 2 "" "--breaking baldock traces rays for each sea alone"
+  "${spectrum} --breaking baldock --stations $IN/points.csv --table t.csv --transfer k.nc")
 swellray_cli_test(spectrum_random_breaking_kept 2 "" "leave out --series and --transfer"
   "${spectrum} --breaking battjes-janssen --stations $IN/points.csv --table t.csv --transfer k.nc")
 swellray_cli_test(spectrum_rule 2 "" "--breaking" "${spectrum} --breaking dally --map m.vti")

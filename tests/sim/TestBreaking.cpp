@@ -72,6 +72,35 @@ TEST(Breaking, randomWavesHaveALimit)
   EXPECT_NEAR(battjesStiveGamma(0.02), 0.5 + 0.4 * 0.578363, FiveDigits);
 }
 
+TEST(Breaking, wavesAboveAHeightLoseWhatTheirBoresDo)
+{
+  // Mean of g H^3/(4 T h) over the Rayleigh distributed waves above Hb, by the trapezoid rule in steps of 2e-5: its square is the error.
+  const double hrms = 0.8;
+  const double depth = 2.0;
+  const double period = 7.0;
+  constexpr double Quadrature = 1e-7;
+  for (const double ratio : { 0.3, 0.5, 0.8, 1.3, 4.0 })
+  {
+    const double from = hrms / ratio;
+    const double step = 2e-5;
+    double loss = 0.0;
+    for (int i = 0; from + i * step < 8.0 * hrms; ++i)
+    {
+      const double h = from + i * step;
+      const double density = 2.0 * h / (hrms * hrms) * std::exp(-h * h / (hrms * hrms));
+      loss += (i > 0 ? 1.0 : 0.5) * step * density * g * h * h * h / (4.0 * period * depth);
+    }
+    const double rate = baldockLossRate(ratio, hrms / depth, period);
+    EXPECT_NEAR(rate / (loss / (g * hrms * hrms / 8.0)), 1.0, Quadrature) << ratio;
+    EXPECT_NEAR(higherShare(ratio), std::exp(-from * from / (hrms * hrms)), Rounding);
+  }
+  // All of them: the third moment of the distribution.
+  EXPECT_NEAR(baldockLossRate(1e9, 0.4, 7.0), 1.5 * std::sqrt(Pi) * 0.4 / 7.0, Rounding);
+  EXPECT_EQ(baldockLossRate(0.0, 0.4, 7.0), 0.0);
+  EXPECT_EQ(higherShare(0.0), 0.0);
+  EXPECT_NEAR(ruessinkGamma(0.25, 2.0), 0.67, Rounding);
+}
+
 TEST(Breaking, breakersHaveTypes)
 {
   // L0 = 156.13 m at 10 s.
@@ -87,6 +116,9 @@ TEST(Breaking, breakersHaveTypes)
   EXPECT_EQ(breakerTypeAtBreaking(2.0), BreakerType::Plunging);
   EXPECT_EQ(breakerTypeAtBreaking(2.01), BreakerType::Surging);
   EXPECT_EQ(breakingRuleName(BreakingRule::BattjesJanssen), std::string("battjes-janssen"));
+  EXPECT_EQ(breakingRuleName(BreakingRule::Baldock), std::string("baldock"));
+  EXPECT_TRUE(ofRandomWaves(BreakingRule::Baldock));
+  EXPECT_FALSE(ofRandomWaves(BreakingRule::Dally));
 }
 
 TEST(Breaking, frictionIsTheWorkOfTheBedStress)

@@ -233,7 +233,7 @@ TEST(MildSlope, BreaksOnABeach)
   // Measured 0.02: what reaches the sides is the wave without the little that the surf reflects.
   constexpr double AlongTheBeach = 0.03;
   for (const BreakingRule rule : { BreakingRule::Gamma, BreakingRule::Weggel, BreakingRule::Miche, BreakingRule::Dally,
-         BreakingRule::BattjesJanssen })
+         BreakingRule::BattjesJanssen, BreakingRule::Baldock })
   {
     MildSlopeOptions options;
     options.spacing = 2.5;

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
 using namespace swellray;
@@ -42,8 +43,9 @@ DirectionalSpectrum narrowSea(double height)
   return sea;
 }
 
-// Hrms over depth on a plane beach by the balance d(E Cg)/dx = -D in small steps from deep water, normal incidence.
-double heightOnBeach(double deepHeight, double depth, double gamma)
+// Hrms on a plane beach by the balance d(E Cg)/dx = -D in small steps from deep water, normal incidence; Battjes and Janssen's D
+// with a gamma, Baldock's with that of each place.
+double heightOnBeach(double deepHeight, double depth, std::optional<double> gamma)
 {
   const double omega = 2.0 * Pi / Period;
   const auto speed = [&](double h)
@@ -57,10 +59,12 @@ double heightOnBeach(double deepHeight, double depth, double gamma)
     const double next = std::max(depth, h * (1.0 - Step));
     const double middle = 0.5 * (h + next);
     const double k = solveWavenumber(omega, middle, StandardGravity);
-    const double highest = randomWaveLimit(k, middle, gamma);
+    const double highest = randomWaveLimit(k, middle, gamma.value_or(ruessinkGamma(k, middle)));
     const double height = std::sqrt(flux / speed(middle));
-    flux *= std::exp(-randomWaveLossRate(height / highest, Period) * (h - next) / Slope / speed(middle));
-    flux = std::min(flux, highest * highest * speed(middle));
+    const double rate =
+      gamma ? randomWaveLossRate(height / highest, Period) : baldockLossRate(height / highest, height / middle, Period);
+    flux *= std::exp(-rate * (h - next) / Slope / speed(middle));
+    flux = gamma ? std::min(flux, highest * highest * speed(middle)) : flux;
     h = next;
   }
   return std::sqrt(flux / speed(depth));
@@ -143,6 +147,23 @@ TEST(SpectralSurf, aNarrowSeaBreaksAsTheEnergyBalanceOfItsWave)
   EXPECT_TRUE(seas[3].breaking);
 }
 
+TEST(SpectralSurf, baldockHasTheIndexOfEachPlace)
+{
+  Beach beach(2.0);
+  beach.Options.breaking = BreakingRule::Baldock;
+  beach.Options.gamma = std::nullopt;
+  const std::vector<double> depths{ 12.0, 4.0, 2.5, 1.5, 0.8 };
+  const std::vector<PlaceSea> seas = beach.at(depths);
+  constexpr double Tolerance = 0.01; // as above
+  for (std::size_t i = 0; i < depths.size(); ++i)
+  {
+    const double exact = heightOnBeach(2.0 / std::sqrt(2.0), depths[i], std::nullopt);
+    EXPECT_NEAR(seas[i].parameters.significantHeight / std::sqrt(2.0), exact, Tolerance * exact) << depths[i];
+  }
+  EXPECT_FALSE(seas[0].breaking);
+  EXPECT_TRUE(seas[3].breaking);
+}
+
 TEST(SpectralSurf, aLowSeaLosesNothing)
 {
   Beach beach(0.1);
@@ -155,7 +176,7 @@ TEST(SpectralSurf, aLowSeaLosesNothing)
 TEST(SpectralSurf, withoutAWayTheDepthAtThePlaceCounts)
 {
   const Beach beach(2.0);
-  const SpectralSurf surf(beach.Tracer, beach.Options.rays, beach.Sea, 0.7);
+  const SpectralSurf surf(beach.Tracer, beach.Options.rays, beach.Sea, BreakingRule::BattjesJanssen, 0.7);
   DirectionalSpectrum high = narrowSea(3.0);
   std::rotate(high.density.begin(), high.density.begin() + 36, high.density.end()); // from the land: no such wave
   ASSERT_NEAR(seaParameters(high).meanDirectionFrom, 270.0, 1e-6);
@@ -171,9 +192,12 @@ TEST(SpectralSurf, gammaIsThatOfTheSteepnessUnlessGiven)
 {
   const Beach beach(2.0);
   const double deepLength = StandardGravity * Period * Period / (2.0 * Pi);
-  const SpectralSurf surf(beach.Tracer, beach.Options.rays, beach.Sea, std::nullopt);
+  const SpectralSurf surf(beach.Tracer, beach.Options.rays, beach.Sea, BreakingRule::BattjesJanssen, std::nullopt);
   EXPECT_NEAR(surf.gamma(), battjesStiveGamma(2.0 / std::sqrt(2.0) / deepLength), 1e-3);
-  EXPECT_THROW(SpectralSurf(beach.Tracer, beach.Options.rays, beach.Sea, 0.0), std::invalid_argument);
+  EXPECT_THROW(SpectralSurf(beach.Tracer, beach.Options.rays, beach.Sea, BreakingRule::BattjesJanssen, 0.0),
+    std::invalid_argument);
+  EXPECT_THROW(
+    SpectralSurf(beach.Tracer, beach.Options.rays, beach.Sea, BreakingRule::Dally, 0.7), std::invalid_argument);
 }
 
 TEST(SpectralSurf, isRefusedWhereItCannotBe)

@@ -38,7 +38,7 @@ _PROPERTIES = {
 # Words in the order of the filters' enumerations.
 CHOICES = {
     "amplitude": ("spacing", "tube"),
-    "breaking": ("none", "gamma", "weggel", "miche", "dally", "battjes-janssen"),
+    "breaking": ("none", "gamma", "weggel", "miche", "dally", "battjes-janssen", "baldock"),
     "caustics": ("uniform", "geometric", "cap"),
     "combine": ("energy", "phase"),
     "dispersion": ("linear", "nonlinear"),

@@ -174,8 +174,9 @@ class Seafloor(Map):
         amplitude: refraction from the "spacing" of rays, or the "tube" equation
         caustics: heights there: "uniform", finite at folds by the Airy function; "geometric", infinite; or "cap"
         kr_max: largest refraction coefficient where a caustic is no fold; default 3
-        breaking: "none", "gamma", "weggel", "miche", "dally" or "battjes-janssen"
-        gamma: breaker index, height over depth; default 0.78, with battjes-janssen by the steepness
+        breaking: "none", "gamma", "weggel", "miche", "dally", "battjes-janssen" or "baldock"
+        gamma: breaker index, height over depth; default 0.78, with battjes-janssen by the steepness, with baldock by the
+            kh of each place
         friction: bottom friction factor of Jonsson; default 0
 
         progress: called with the share that is done, 0 to 1; what it raises ends the work
@@ -296,8 +297,9 @@ class Seafloor(Map):
         frequencies, directions, rays_per_direction: rays back from each place
         frequency_range: (lowest, highest) of the rays, Hz; default: the band that holds 99.5 % of the energy
         transfer: keep the rays in this file (.nc), and take from it those that it has: other seas cost little then
-        breaking: "none", "gamma" or "battjes-janssen"
-        gamma: largest Hs over depth, default 0.6; with battjes-janssen breaker index, default by the steepness
+        breaking: "none", "gamma", "battjes-janssen" or "baldock"
+        gamma: largest Hs over depth, default 0.6; with battjes-janssen and baldock breaker index, default by the
+            steepness and by the kh of each place
         friction: bottom friction coefficient, m2/s3 (0.038: swell over sand); default 0
 
         elevation_series: also the surface elevation in time at the stations, by random phases: the result has `.elevations`, m, a row a
