@@ -218,6 +218,7 @@ int vtkSwellMildSlope::RequestData(
     options.height.breaking = static_cast<swellray::BreakingRule>(this->BreakingRule);
     options.height.gamma = unlessZero(this->Gamma);
     options.height.friction = this->Friction;
+    options.height.viscosity = this->Viscosity;
     options.memory = this->MemoryLimit > 0.0 ? this->MemoryLimit : MemoryShare * machineMemory();
 
     const std::shared_ptr<const swellray::Seafloor> seafloor =
@@ -325,6 +326,7 @@ void vtkSwellMildSlope::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "BreakingRule: " << this->BreakingRule << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Friction: " << this->Friction << "\n";
+  os << indent << "Viscosity: " << this->Viscosity << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "PlanOnly: " << (this->PlanOnly ? "on" : "off") << "\n";
 }

@@ -179,6 +179,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Viscosity of water over a smooth bed whose boundary layer is laminar, as in small tanks, m2/s (1e-6 at 20 degrees; Hunt 1952), in place of
+   * Friction; >= 0, default 0: no such layer.
+   */
+  vtkSetMacro(Viscosity, double);
+  vtkGetMacro(Viscosity, double);
+  ///@}
+
+  ///@{
   /** Memory that the solution may take, bytes; default 0: four fifths of the machine's. */
   vtkSetMacro(MemoryLimit, double);
   vtkGetMacro(MemoryLimit, double);
@@ -224,6 +233,7 @@ protected:
   int BreakingRule = 1;
   double Gamma = 0.0;
   double Friction = 0.0;
+  double Viscosity = 0.0;
   double MemoryLimit = 0.0;
   vtkTypeBool PlanOnly = 0;
 

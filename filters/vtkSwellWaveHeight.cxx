@@ -96,6 +96,7 @@ int vtkSwellWaveHeight::RequestData(
       options.gamma = this->Gamma;
     }
     options.friction = this->Friction;
+    options.viscosity = this->Viscosity;
     options.caustics = static_cast<swellray::CausticRule>(this->CausticRule);
     options.maxRefraction = this->MaxRefraction;
     options.validate();
@@ -148,7 +149,7 @@ int vtkSwellWaveHeight::RequestData(
     frictions->SetName("FrictionCoefficient");
     frictions->SetNumberOfTuples(points);
     double* friction = frictions->GetPointer(0);
-    if (options.friction > 0.0)
+    if (options.rubs())
     {
       out->AddArray(frictions);
     }
@@ -249,5 +250,6 @@ void vtkSwellWaveHeight::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "Gamma: " << this->Gamma << "\n";
   os << indent << "Friction: " << this->Friction << "\n";
+  os << indent << "Viscosity: " << this->Viscosity << "\n";
   os << indent << "MaxRefraction: " << this->MaxRefraction << "\n";
 }

@@ -106,6 +106,15 @@ public:
 
   ///@{
   /**
+   * Viscosity of water over a smooth bed whose boundary layer is laminar, as in small tanks, m2/s (1e-6 at 20 degrees; Hunt 1952), in place of
+   * Friction; >= 0, default 0: no such layer.
+   */
+  vtkSetMacro(Viscosity, double);
+  vtkGetMacro(Viscosity, double);
+  ///@}
+
+  ///@{
+  /**
    * Height next to caustics: finite at folds by the modulus of the Airy function and capped elsewhere (default),
    * infinite, or capped.
    */
@@ -136,6 +145,7 @@ protected:
   int BreakingRule = GAMMA_BREAKING;
   double Gamma = 0.0;
   double Friction = 0.0;
+  double Viscosity = 0.0;
   double MaxRefraction = 3.0;
 
 private:

@@ -127,4 +127,11 @@ double frictionRate(
     gravity;
 }
 
+double laminarFrictionRate(double viscosity, double wavenumber, double depth, double period, double gravity)
+{
+  const double omega = 2.0 * Pi / period;
+  const double velocityOverAmplitude = omega / std::sinh(wavenumber * depth);
+  return velocityOverAmplitude * velocityOverAmplitude / gravity * std::sqrt(0.5 * viscosity * omega);
+}
+
 }

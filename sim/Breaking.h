@@ -131,4 +131,18 @@ BreakerType breakerTypeAtBreaking(double iribarrenBreaking);
 double frictionRate(
   double frictionFactor, double height, double wavenumber, double depth, double period, double gravity);
 
+/** Kinematic viscosity of water of 20 degrees, m2/s. */
+constexpr double WaterViscosity = 1e-6;
+
+/**
+ * Rate at which the laminar boundary layer over a smooth bed takes energy, D/E in 1/s, whatever the height:
+ *
+ *   D = rho u^2/2 sqrt(nu omega/2),  u = pi H/(T sinh kh)
+ *
+ * by which a wave over a flat bed falls off as exp(-ki x), ki = 2 k^2 sqrt(nu/(2 omega))/(2kh + sinh 2kh). Hunt 1952, Amortissement
+ * par viscosite de la houle sur un fond incline, La Houille Blanche 7. Laminar up to u^2/(omega nu) of some 1e4 (Jonsson 1966).
+ * @param viscosity nu, m2/s, >= 0
+ */
+double laminarFrictionRate(double viscosity, double wavenumber, double depth, double period, double gravity);
+
 }

@@ -185,6 +185,14 @@ double BreakingMarch::shareAfter(const Step& step, double share, double w0, doub
       kf *= left;
       p *= left * left;
     }
+    if (this->Rule.viscosity > 0.0)
+    {
+      const double left = std::exp(-0.25 * seconds *
+        laminarFrictionRate(
+          this->Rule.viscosity, middle.wavenumber, middle.depth, this->Rule.period, this->Rule.gravity));
+      kf *= left;
+      p *= left * left;
+    }
     return p;
   };
   share = rub(share);
@@ -281,6 +289,12 @@ void BreakingMarch::advance(const SurfSample& next, double seconds, double metre
       return frictionRate(
         this->Rule.friction, s.lossless, s.wavenumber, s.depth, this->Rule.period, this->Rule.gravity);
     };
+    rate += std::max(rubbing(step.from), rubbing(step.to));
+  }
+  if (this->Rule.viscosity > 0.0)
+  {
+    const auto rubbing = [&](const SurfSample& s)
+    { return laminarFrictionRate(this->Rule.viscosity, s.wavenumber, s.depth, this->Rule.period, this->Rule.gravity); };
     rate += std::max(rubbing(step.from), rubbing(step.to));
   }
   const double wanted = std::ceil(rate * seconds / LossOfAStep);

@@ -22,6 +22,7 @@ struct SurfRule
   double gamma = 0.78;     ///< breaker index, > 0
   bool localGamma = false; ///< with Baldock, that of each place: ruessinkGamma()
   double friction = 0.0;   ///< bottom friction factor fw, >= 0
+  double viscosity = 0.0;  ///< of the water over a smooth bed, m2/s, >= 0
   double period = 10.0;    ///< s
   double gravity = 9.81;   ///< m/s2
   double deepHeight = 1.0; ///< height of the incident wave in deep water, m: breaker types
@@ -43,7 +44,7 @@ struct RayLosses
  *
  *   dP/dt = -P D/E.
  *
- * Friction: frictionRate(). Saturated rules: P as large as their limit allows. Dally, Dean and Dalrymple 1985, from
+ * Friction: frictionRate(), laminarFrictionRate(). Saturated rules: P as large as their limit allows. Dally, Dean and Dalrymple 1985, from
  * the first place with H > gamma h on, until H <= 0.4 h:
  *
  *   dP/dt = -(K Cg/h) (P - Ps),  Ps = (0.4 h/(H0 Ks Kr))^2,  K = 0.15.

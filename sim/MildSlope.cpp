@@ -233,6 +233,7 @@ MildSlopeField solveMildSlope(const Seafloor& seafloor, double waterLevel, const
   const auto element = [&mesh](std::size_t i, std::size_t j, NestedDissection::Element& values)
   { mesh.element(i, j, values); };
 
+  feedback.begin(mesh);
   std::vector<std::complex<double>> residual;
   for (bool settled = false; !settled && field.Solutions < MostSolutions;)
   {

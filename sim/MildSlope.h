@@ -29,7 +29,7 @@ struct MildSlopeOptions
   bool sideWalls = false;            ///< the two sides along which the wave runs are walls
   double coastReflection = 0.0;      ///< amplitude of the reflected wave over that of the incident one, 0 to 1
   WaveDispersion dispersion = WaveDispersion::Linear;
-  HeightOptions height; ///< breaking, gamma and friction of these
+  HeightOptions height; ///< breaking, gamma, friction and viscosity of these
   double memory = 0.0;  ///< bytes that may be taken; 0: any
   /**
    * What stands in the water of an element, a rectangle in m: the share of the height that it reflects, 0 to 1, or nothing. No wave passes it, be

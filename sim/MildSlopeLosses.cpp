@@ -134,13 +134,35 @@ double MildSlopeFeedback::slopeAt(const MildSlopeMesh& mesh, std::size_t i, std:
   return std::hypot(x, y);
 }
 
+double MildSlopeFeedback::laminarLoss(const MildSlopeMesh::Medium& medium) const
+{
+  return this->Options.viscosity > 0.0 ? laminarFrictionRate(this->Options.viscosity, medium.linearWavenumber(),
+                                           medium.depth, this->Wave.period, this->Wave.gravity)
+                                       : 0.0;
+}
+
+void MildSlopeFeedback::begin(MildSlopeMesh& mesh) const
+{
+  for (std::size_t j = 0; j < mesh.sceneRows(); ++j)
+  {
+    for (std::size_t i = 0; i < mesh.sceneColumns(); ++i)
+    {
+      MildSlopeMesh::Medium& medium = mesh.medium(i, j);
+      if (medium.kind == MildSlopeMesh::Kind::Water)
+      {
+        medium.loss = this->laminarLoss(medium);
+      }
+    }
+  }
+}
+
 double MildSlopeFeedback::lossAt(
   const MildSlopeMesh::Medium& medium, double groupSpeed, double height, double highest, bool broken) const
 {
   const double perDepth = groupSpeed / medium.depth;
   double loss = this->Options.friction > 0.0 ? frictionRate(this->Options.friction, height, medium.linearWavenumber(),
                                                  medium.depth, this->Wave.period, this->Wave.gravity)
-                                             : 0.0;
+                                             : this->laminarLoss(medium);
   if (this->Options.breaking == BreakingRule::BattjesJanssen)
   {
     loss += randomWaveLossRate(height / highest, this->Wave.period);

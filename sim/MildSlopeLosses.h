@@ -18,6 +18,9 @@ public:
   /** True where a solution changes the equations that it came from. */
   bool needed() const { return this->Losses || this->Dispersion; }
 
+  /** Set the losses that do not depend on heights: those of a laminar boundary layer. */
+  void begin(MildSlopeMesh& mesh) const;
+
   /**
    * Set the losses and the dispersion of the elements by the heights of a solution.
    *
@@ -29,7 +32,7 @@ public:
    * upwind on the elements, along the direction t of the wave, swept in four orders (Zhao 2005). The dispersion goes
    * half the way to what follows from the heights (under-relaxation).
    *
-   * W is that of bottom friction (frictionRate()) and of breaking, with Cg the group speed and Hm the largest height of the rule:
+   * W is that of bottom friction (frictionRate(), laminarFrictionRate()) and of breaking, with Cg the group speed and Hm the largest height of the rule:
    *
    *   gamma, weggel, miche   (Cg/h) (1 - (Hm/H)^2), H > Hm: Dally's equation with a coefficient of 1, by which H is above Hm by
    *                          1.25 times the slope of the bed where it breaks
@@ -52,6 +55,7 @@ public:
   double cap(const MildSlopeMesh::Medium& medium, double height) const;
 
 private:
+  double laminarLoss(const MildSlopeMesh::Medium& medium) const;
   void findBroken(const MildSlopeMesh& mesh);
   double slopeAt(const MildSlopeMesh& mesh, std::size_t i, std::size_t j) const;
   double lossAt(const MildSlopeMesh::Medium& medium, double groupSpeed, double height, double limit, bool broken) const;

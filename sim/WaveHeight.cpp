@@ -61,8 +61,7 @@ std::vector<double> waysAlong(const RayProfile& profile)
 
 void requireArrays(const RayProfile& profile, const HeightOptions& options)
 {
-  const bool marches =
-    options.friction > 0.0 || options.breaking == BreakingRule::Dally || ofRandomWaves(options.breaking);
+  const bool marches = options.rubs() || options.breaking == BreakingRule::Dally || ofRandomWaves(options.breaking);
   if (marches && !profile.travelTime)
   {
     throw std::invalid_argument("friction and breaking by the way need the travel times of the ray");
@@ -112,6 +111,17 @@ void HeightOptions::validate() const
     message << "friction factor must be 0 or more, not " << this->friction;
     throw std::invalid_argument(message.str());
   }
+  if (!(this->viscosity >= 0.0) || std::isinf(this->viscosity))
+  {
+    std::ostringstream message;
+    message << "viscosity must be 0 m2/s or more, not " << this->viscosity;
+    throw std::invalid_argument(message.str());
+  }
+  if (this->friction > 0.0 && this->viscosity > 0.0)
+  {
+    throw std::invalid_argument(
+      "the boundary layer at the bed has a friction factor or a viscosity, not both: leave one at 0");
+  }
 }
 
 double deepWaterHeight(const IncidentWave& wave)
@@ -138,6 +148,7 @@ SurfRule surfRule(const HeightOptions& options, const IncidentWave& wave)
   rule.gamma = breakerIndex(options, wave);
   rule.localGamma = options.breaking == BreakingRule::Baldock && !options.gamma;
   rule.friction = options.friction;
+  rule.viscosity = options.viscosity;
   rule.period = wave.period;
   rule.gravity = wave.gravity;
   rule.deepHeight = deepWaterHeight(wave);

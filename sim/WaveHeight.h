@@ -38,6 +38,8 @@ struct HeightOptions
   BreakingRule breaking = BreakingRule::Gamma;
   std::optional<double> gamma; ///< breaker index H/h, > 0; none: breakerIndex()
   double friction = 0.0;       ///< bottom friction factor fw (Jonsson 1966), >= 0
+  double viscosity =
+    0.0; ///< in place of fw: of the water over a smooth bed whose boundary layer is laminar, m2/s, >= 0
   CausticRule caustics = CausticRule::Uniform;
 
   /**
@@ -45,6 +47,8 @@ struct HeightOptions
    * which that is higher.
    */
   double maxRefraction = 3.0;
+
+  bool rubs() const { return this->friction > 0.0 || this->viscosity > 0.0; }
 
   /** @throws std::invalid_argument naming the option that is out of range */
   void validate() const;

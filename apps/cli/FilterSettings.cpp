@@ -130,6 +130,7 @@ void setUp(vtkSwellWaveHeight* heights, const HeightOptions& options)
   heights->SetBreakingRule(static_cast<int>(options.breaking));
   heights->SetGamma(options.gamma.value_or(0.0));
   heights->SetFriction(options.friction);
+  heights->SetViscosity(options.viscosity);
   heights->SetCausticRule(static_cast<int>(options.caustics));
   heights->SetMaxRefraction(options.maxRefraction);
 }

@@ -58,6 +58,7 @@ void setUp(vtkSwellMildSlope* filter, const Request& request)
   filter->SetBreakingRule(static_cast<int>(height.breaking));
   filter->SetGamma(height.gamma.value_or(0.0));
   filter->SetFriction(height.friction);
+  filter->SetViscosity(height.viscosity);
   const MildSlopeRequest& asked = request.mildSlope;
   filter->SetNodeSpacing(asked.nodeSpacing.value_or(0.0));
   filter->SetMinimumDepth(asked.minDepth.value_or(0.0));

@@ -157,6 +157,31 @@ std::vector<OptionSpec> obstacleOptions(RayRequest& rays)
   };
 }
 
+// A factor, or the word laminar with a viscosity.
+OptionSpec frictionOption(HeightOptions& height, const char* group)
+{
+  OptionSpec spec{ "--friction", "FW|laminar[:NU]",
+    "bottom friction factor of Jonsson; laminar: smooth bed of a small tank, water of NU m2/s", "0; NU 1e-6", group,
+    false, {} };
+  spec.set = [&height](const std::string& typed)
+  {
+    const std::string word = "laminar";
+    const bool laminar = typed.compare(0, word.size(), word) == 0;
+    height.friction = laminar ? 0.0 : parseNumber("--friction", typed, NonNegativeNumber);
+    height.viscosity = laminar ? WaterViscosity : 0.0;
+    if (laminar && typed != word)
+    {
+      if (typed[word.size()] != ':')
+      {
+        throw UsageError(
+          fmt::format("--friction must be a number of 0 or more, laminar or laminar:NU, not '{}'", typed));
+      }
+      height.viscosity = parseNumber("--friction laminar", typed.substr(word.size() + 1), PositiveNumber);
+    }
+  };
+  return spec;
+}
+
 std::vector<OptionSpec> heightOptions(RayRequest& rays)
 {
   const char* group = "Heights";
@@ -179,7 +204,7 @@ std::vector<OptionSpec> heightOptions(RayRequest& rays)
         { "baldock", BreakingRule::Baldock } }),
     number("--gamma", "G", "breaker index: height over depth",
       "0.78; battjes-janssen: by the steepness; baldock: by the kh of each place", group, height.gamma, PositiveNumber),
-    number("--friction", "FW", "bottom friction factor of Jonsson", "0", group, height.friction, NonNegativeNumber),
+    frictionOption(height, group),
   };
 }
 

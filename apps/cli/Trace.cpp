@@ -111,7 +111,9 @@ void sayHeights(vtkPolyData* rays, const Console& console)
 std::string breakingInWords(const RayRequest& rays)
 {
   const HeightOptions& options = rays.height;
-  const std::string friction = options.friction > 0.0 ? fmt::format(", bottom friction {:g}", options.friction) : "";
+  const std::string friction = options.friction > 0.0 ? fmt::format(", bottom friction {:g}", options.friction)
+    : options.viscosity > 0.0 ? fmt::format(", laminar at the bed, {:g} m2/s", options.viscosity)
+                              : "";
   const double gamma = breakerIndex(options, rays.wave);
   switch (options.breaking)
   {

@@ -52,6 +52,13 @@ class Options(unittest.TestCase):
         self.assert_options("spectrum", SEAFLOOR | keywords_of(swellray.Seafloor.spectrum) - {"spacing"})
         self.assert_options("sea", keywords_of(swellray.sea))
 
+    def test_friction_may_be_laminar(self):
+        heights = _options.configure(swellray.vtkSwellWaveHeight(), friction="laminar")
+        self.assertEqual((heights.GetViscosity(), heights.GetFriction()), (1e-6, 0.0))
+        self.assertEqual(_options.configure(swellray.vtkSwellMildSlope(), friction="laminar:1.3e-6").GetViscosity(), 1.3e-6)
+        with self.assertRaises(TypeError):
+            _options.configure(swellray.vtkSwellSpectralMap(), friction="laminar")
+
     def test_words_are_those_of_the_filters(self):
         number = _options.number_of_choice
         tracer, heights, surface = swellray.vtkSwellRayTracer, swellray.vtkSwellWaveHeight, swellray.vtkSwellSurface

@@ -142,6 +142,42 @@ TEST(Breaking, frictionIsTheWorkOfTheBedStress)
   EXPECT_EQ(frictionRate(fw, height, 0.04, 1e6, period, g), 0.0);
 }
 
+TEST(Breaking, aLaminarLayerTakesTheWorkOfItsShear)
+{
+  const double period = 1.0;
+  const double depth = 0.3;
+  const double height = 0.05;
+  const double omega = 2.0 * Pi / period;
+  const double k = solveWavenumber(omega, depth);
+  const double u = Pi * height / (period * std::sinh(k * depth));
+  // Stokes' layer u (cos wt - exp(-z/d) cos(wt - z/d)), d = sqrt(2 nu/w): mean of nu (du/dz)^2 over a period and the layer, by sums in z, the
+  // trapezoid rule in t being exact.
+  const double thickness = std::sqrt(2.0 * WaterViscosity / omega);
+  constexpr int Steps = 4000;
+  constexpr int Phases = 8;
+  const double step = 20.0 * thickness / Steps;
+  double work = 0.0;
+  for (int i = 0; i < Steps; ++i)
+  {
+    const double z = (i + 0.5) * step;
+    for (int j = 0; j < Phases; ++j)
+    {
+      const double phase = 2.0 * Pi * j / Phases - z / thickness;
+      const double shear = u / thickness * std::exp(-z / thickness) * (std::cos(phase) - std::sin(phase));
+      work += WaterViscosity * shear * shear * step / Phases;
+    }
+  }
+  constexpr double Quadrature = 1e-5; // square of the step over the thickness, over 6
+  const double rate = laminarFrictionRate(WaterViscosity, k, depth, period, g);
+  EXPECT_NEAR(rate / (work / (g * height * height / 8.0)), 1.0, Quadrature);
+  // Hunt 1952.
+  const double decay =
+    2.0 * k * k * std::sqrt(WaterViscosity / (2.0 * omega)) / (2.0 * k * depth + std::sinh(2.0 * k * depth));
+  EXPECT_NEAR(rate / (2.0 * waveSpeeds(k, depth).groupSpeed * decay), 1.0, Rounding);
+  EXPECT_EQ(laminarFrictionRate(0.0, k, depth, period, g), 0.0);
+  EXPECT_EQ(laminarFrictionRate(WaterViscosity, 0.04, 1e6, period, g), 0.0);
+}
+
 TEST(SurfZone, setDownAndSetUp)
 {
   // Shallow water: -H^2/(16 h).

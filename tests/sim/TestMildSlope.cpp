@@ -287,6 +287,28 @@ TEST(MildSlope, LosesEnergyToTheBedAsAWaveAloneDoes)
   }
 }
 
+TEST(MildSlope, LosesEnergyToALaminarLayerWithoutASecondSolution)
+{
+  // H = H0 exp(-ki x) (Hunt 1952), a tank 0.15 m deep.
+  const auto seafloor = makeBuiltinSeafloor("shoal:height=0,depth=0.15,x0=0,x1=40,y0=0,y1=3");
+  const IncidentWave wave = waveOf(1.0, 270.0, 0.04, 0.15);
+  MildSlopeOptions options = lossless(0.1);
+  options.height.viscosity = WaterViscosity;
+  const MildSlopeField field = solveMildSlope(*seafloor, 0.0, wave, options);
+  EXPECT_EQ(field.solutions(), 1u);
+  const double kh = wave.wavenumber() * 0.15;
+  const double decay =
+    2.0 * kh * kh / (0.15 * 0.15) * std::sqrt(WaterViscosity / (4.0 * Pi)) / (2.0 * kh + std::sinh(2.0 * kh));
+  constexpr double Interpolation = 1e-3; // at 11 nodes a wavelength, against a loss of a seventh
+  for (const double x : { 2.0, 20.0, 38.0 })
+  {
+    const double exact = 0.04 * std::exp(-decay * x);
+    EXPECT_NEAR(field.sample({ glm::dvec2(x, 1.5) }).height[0], exact, Interpolation * exact);
+  }
+  options.height.friction = 0.1;
+  EXPECT_THROW(solveMildSlope(*seafloor, 0.0, wave, options), std::invalid_argument);
+}
+
 TEST(MildSlope, GrowsLongerWithTheHeightWhereAskedTo)
 {
   const auto seafloor = makeBuiltinSeafloor("shoal:height=0,depth=6,x0=0,x1=400,y0=0,y1=150");

@@ -109,6 +109,26 @@ const BreakingRule AllRules[] = { BreakingRule::None, BreakingRule::Gamma, Break
 
 }
 
+TEST(WaveLosses, aLaminarLayerOverAFlatBed)
+{
+  // H = H0 exp(-ki x) (Hunt 1952).
+  Flume flume = Flume::over([](double) { return 0.15; }, 40.0, 0.25);
+  flume.wave.period = 1.0;
+  flume.wave.height = 0.04;
+  flume.options.breaking = BreakingRule::None;
+  flume.options.viscosity = WaterViscosity;
+  const RayHeights heights = flume.heights();
+  const double k = flume.wave.wavenumber();
+  const double decay =
+    2.0 * k * k * std::sqrt(WaterViscosity / (4.0 * Pi)) / (2.0 * k * 0.15 + std::sinh(2.0 * k * 0.15));
+  for (std::size_t i = 0; i < flume.x.size(); ++i)
+  {
+    EXPECT_NEAR(heights.height[i], 0.04 * std::exp(-decay * flume.x[i]), 1e-12);
+    EXPECT_NEAR(heights.friction[i], std::exp(-decay * flume.x[i]), 1e-10);
+  }
+  EXPECT_LT(heights.height.back(), 0.93 * 0.04);
+}
+
 TEST(WaveLosses, frictionOverAFlatBed)
 {
   // Putnam and Johnson 1949: 1/Kf grows in proportion to the way.

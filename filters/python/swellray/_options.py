@@ -78,6 +78,8 @@ def configure(algorithm, **settings):
             continue
         if keyword in CHOICES:
             value = number_of_choice(keyword, value)
+        elif keyword == "friction" and str(value).partition(":")[0] == "laminar" and hasattr(algorithm, "SetViscosity"):
+            keyword, value = "viscosity", float(str(value).partition(":")[2] or 1e-6)
         elif isinstance(value, os.PathLike):
             value = os.fspath(value)
         try:

@@ -177,7 +177,8 @@ class Seafloor(Map):
         breaking: "none", "gamma", "weggel", "miche", "dally", "battjes-janssen" or "baldock"
         gamma: breaker index, height over depth; default 0.78, with battjes-janssen by the steepness, with baldock by the
             kh of each place
-        friction: bottom friction factor of Jonsson; default 0
+        friction: bottom friction factor of Jonsson, or "laminar" ("laminar:1.1e-6", m2/s): a smooth bed of a small tank;
+            default 0
 
         progress: called with the share that is done, 0 to 1; what it raises ends the work
 
