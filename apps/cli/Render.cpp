@@ -143,10 +143,10 @@ void checkScene(const Request& request)
   {
     throw UsageError("--sheet puts the frames of --times T0:T1:DT into one picture: give -o FILE.png or -o FILE.jpg");
   }
-  if (render.times && !movie && !numbered && render.sheet == 0 && !isPage(request.output.scene))
+  if (render.times && !movie && !numbered && render.sheet == 0 && request.output.scene.empty())
   {
-    throw UsageError("--times needs a movie, numbered pictures, a sheet of frames or a page to write: -o FILE.ogv, -o "
-                     "FOLDER/%04d.png, --sheet N -o FILE.png or --export FILE.html");
+    throw UsageError("--times needs a movie, numbered pictures, a sheet of frames or a scene to write: -o FILE.ogv, -o "
+                     "FOLDER/%04d.png, --sheet N -o FILE.png, --export FILE.html or --export FILE.gltf");
   }
   if (numbered && std::filesystem::path(request.output.file).extension() != ".png")
   {

@@ -54,11 +54,17 @@ TimeSeries framesOf(const Request& request)
   return { 0.0, (FramesPerPeriod - 1) * step, step };
 }
 
-void writePage(const Request& request, Pipeline& pipeline, const scene::SceneContent& content, const std::string& title,
-  Console& console, OutputFile& file)
+// Spray, unless none is wanted.
+vtkPolyData* sprayOf(Pipeline& pipeline, double time, const Request& request)
 {
-  const std::string library = textOf(findPageLibrary());
-  const TimeSeries frames = framesOf(request);
+  return request.surface.sprayRate.value_or(0.0) > 0.0 ? pipeline.makeSpray(time) : nullptr;
+}
+
+// The sea of a single time, or of those asked for, no finer than can be given on.
+template <typename Scene>
+std::size_t addFrames(Scene& scene, const TimeSeries& frames, const Request& request, Pipeline& pipeline,
+  Console& console, const char* what)
+{
   const std::size_t count = frames.count();
   const auto points = [&](vtkPolyData* surface)
   { return static_cast<std::size_t>(surface->GetNumberOfPoints()) * count; };
@@ -70,10 +76,25 @@ void writePage(const Request& request, Pipeline& pipeline, const scene::SceneCon
   }
   if (points(surface) > scene::ScenePage::MostPoints)
   {
-    throw WorkError(fmt::format("the sea has {} points in each of {} frames, too many for a page; take a part of the "
+    throw WorkError(fmt::format("the sea has {} points in each of {} frames, too many for {}; take a part of the "
                                 "seafloor with --crop, or fewer frames with --times T0:T1:DT",
-      surface->GetNumberOfPoints(), count));
+      surface->GetNumberOfPoints(), count, what));
   }
+  const auto shown = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    scene.add(pipeline.makeSurface(frames.at(i)), frames.at(i), sprayOf(pipeline, frames.at(i), request));
+    console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
+  }
+  console.endProgress();
+  return shown;
+}
+
+void writePage(const Request& request, Pipeline& pipeline, const scene::SceneContent& content, const std::string& title,
+  Console& console, OutputFile& file)
+{
+  const std::string library = textOf(findPageLibrary());
+  const TimeSeries frames = framesOf(request);
   scene::PageDetails details;
   details.title = title;
   details.period = request.rays.wave.period;
@@ -81,16 +102,12 @@ void writePage(const Request& request, Pipeline& pipeline, const scene::SceneCon
   details.ownCamera = request.render.cameraPlace.has_value();
   details.commandLine = request.commandLine;
   scene::ScenePage page(content, details);
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    page.add(pipeline.makeSurface(frames.at(i)), frames.at(i));
-    console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
-  }
-  console.endProgress();
+  page.setRays(pipeline.computeHeights());
+  const std::size_t points = addFrames(page, frames, request, pipeline, console, "a page");
   page.write(file.temporary(), library);
   file.commit();
-  console.say(fmt::format(
-    "wrote {}, {} frames of {} points; open it in a browser", file.path(), count, surface->GetNumberOfPoints()));
+  console.say(
+    fmt::format("wrote {}, {} frames of {} points; open it in a browser", file.path(), frames.count(), points));
 }
 
 }
@@ -127,8 +144,12 @@ void exportScene(const Request& request, Pipeline& pipeline, const scene::SceneC
       writePage(request, pipeline, content, title, console, file);
       return;
     }
-    vtkPolyData* surface = pipeline.makeSurface(request.render.time.value_or(0.0));
-    scene::writeGltf(content, surface, title, file.temporary());
+    scene::GltfScene scene(content, title, request.rays.wave.period);
+    scene.setRays(pipeline.computeHeights());
+    const double time = request.render.time.value_or(0.0);
+    addFrames(
+      scene, request.render.times.value_or(TimeSeries{ time, time, 1.0 }), request, pipeline, console, "a file");
+    scene.write(file.temporary());
   }
   catch (const WorkError&)
   {

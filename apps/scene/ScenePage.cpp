@@ -1,5 +1,6 @@
 #include "ScenePage.h"
 
+#include "RayLines.h"
 #include "SceneColors.h"
 
 #include "apps/drawing/Relief.h"
@@ -108,7 +109,24 @@ ScenePage::ScenePage(const SceneContent& content, const PageDetails& details)
 {
 }
 
-void ScenePage::add(vtkPolyData* surface, double time)
+void ScenePage::setRays(vtkPolyData* rays)
+{
+  const vtkSmartPointer<vtkPolyData> lines = rayLines(rays, this->Content.waterLevel + this->Content.waveHeight);
+  vtkCellArray* cells = lines->GetLines();
+  for (vtkIdType i = 0; i < cells->GetNumberOfCells(); ++i)
+  {
+    this->RayLengths.push_back(static_cast<std::uint32_t>(cells->GetCellSize(i)));
+  }
+  for (vtkIdType i = 0; i < lines->GetNumberOfPoints(); ++i)
+  {
+    double p[3];
+    lines->GetPoint(i, p);
+    this->RayPlaces.insert(
+      this->RayPlaces.end(), { static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2]) });
+  }
+}
+
+void ScenePage::add(vtkPolyData* surface, double time, vtkPolyData* spray)
 {
   const auto count = static_cast<std::size_t>(surface->GetNumberOfPoints());
   if (this->Frames.empty())
@@ -149,7 +167,60 @@ void ScenePage::add(vtkPolyData* surface, double time)
     }
     frame.foam[i] = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(foam->GetComponent(id, 0), 0.0, 1.0)));
   }
+  const vtkIdType particles = spray ? spray->GetNumberOfPoints() : 0;
+  vtkDataArray* velocity = spray ? spray->GetPointData()->GetArray("Velocity") : nullptr;
+  for (vtkIdType i = 0; i < particles; ++i)
+  {
+    double p[3];
+    spray->GetPoint(i, p);
+    for (int j = 0; j < 3; ++j)
+    {
+      frame.spray.push_back(static_cast<float>(p[j]));
+      frame.velocity.push_back(static_cast<float>(velocity->GetComponent(i, j)));
+    }
+  }
   this->Frames.push_back(std::move(frame));
+}
+
+ScenePage::Range ScenePage::rangeOf(const std::vector<Frame>& frames, std::vector<float> Frame::*which)
+{
+  Range range;
+  for (std::size_t j = 0; j < 3; ++j)
+  {
+    double least = std::numeric_limits<double>::max();
+    double most = std::numeric_limits<double>::lowest();
+    for (const Frame& frame : frames)
+    {
+      const std::vector<float>& places = frame.*which;
+      for (std::size_t i = j; i < places.size(); i += 3)
+      {
+        least = std::min<double>(least, places[i]);
+        most = std::max<double>(most, places[i]);
+      }
+    }
+    range.low[j] = least <= most ? least : 0.0; // of none, too
+    range.step[j] = most > least ? (most - least) / 65535.0 : 1.0;
+  }
+  return range;
+}
+
+// Places as steps of their range less those before, in low and high bytes; `before` becomes them.
+std::vector<std::uint8_t> ScenePage::planesOf(
+  const std::vector<float>& places, const Range& range, std::vector<std::uint16_t>& before)
+{
+  const std::size_t count = places.size() / 3;
+  std::vector<std::uint8_t> planes(6 * count);
+  for (std::size_t i = 0; i < 3 * count; ++i)
+  {
+    const std::size_t j = i % 3;
+    const auto place = static_cast<std::uint16_t>(std::lround((places[i] - range.low[j]) / range.step[j]));
+    const auto change = static_cast<std::uint16_t>(place - before[i]);
+    const std::size_t at = 2 * j * count + i / 3;
+    planes[at] = static_cast<std::uint8_t>(change & 0xff);
+    planes[at + count] = static_cast<std::uint8_t>(change >> 8);
+    before[i] = place;
+  }
+  return planes;
 }
 
 std::string ScenePage::packed(std::string& header) const
@@ -176,44 +247,38 @@ std::string ScenePage::packed(std::string& header) const
     }
   }
 
-  // Places as steps of their range. What changes from frame to frame is little: it packs better than the places do.
-  std::array<double, 3> low{};
-  std::array<double, 3> step{};
-  for (std::size_t j = 0; j < 3; ++j)
+  const Range places = rangeOf(this->Frames, &Frame::places);
+  const Range drops = rangeOf(this->Frames, &Frame::spray);
+  float fastest = 0.0f;
+  for (const Frame& frame : this->Frames)
   {
-    double least = std::numeric_limits<double>::max();
-    double most = std::numeric_limits<double>::lowest();
-    for (const Frame& frame : this->Frames)
+    for (const float v : frame.velocity)
     {
-      for (std::size_t i = j; i < frame.places.size(); i += 3)
-      {
-        least = std::min<double>(least, frame.places[i]);
-        most = std::max<double>(most, frame.places[i]);
-      }
+      fastest = std::max(fastest, std::abs(v));
     }
-    low[j] = least;
-    step[j] = most > least ? (most - least) / 65535.0 : 1.0;
   }
   std::string bytes;
   append(bytes, elevation);
   append(bytes, this->Triangles);
+  append(bytes, this->RayLengths);
+  append(bytes, this->RayPlaces);
+  // What changes from frame to frame is little: it packs better than the places do.
   std::vector<std::uint16_t> before(3 * count, 0);
-  std::vector<std::uint8_t> planes(6 * count);
+  json particles = json::array();
   for (const Frame& frame : this->Frames)
   {
-    for (std::size_t i = 0; i < 3 * count; ++i)
-    {
-      const std::size_t j = i % 3;
-      const auto place = static_cast<std::uint16_t>(std::lround((frame.places[i] - low[j]) / step[j]));
-      const auto change = static_cast<std::uint16_t>(place - before[i]);
-      const std::size_t at = 2 * j * count + i / 3;
-      planes[at] = static_cast<std::uint8_t>(change & 0xff);
-      planes[at + count] = static_cast<std::uint8_t>(change >> 8);
-      before[i] = place;
-    }
-    append(bytes, planes);
+    append(bytes, planesOf(frame.places, places, before));
     append(bytes, frame.direction);
     append(bytes, frame.foam);
+    std::vector<std::uint16_t> none(frame.spray.size(), 0);
+    append(bytes, planesOf(frame.spray, drops, none));
+    std::vector<std::int8_t> velocity;
+    for (const float v : frame.velocity)
+    {
+      velocity.push_back(static_cast<std::int8_t>(std::lround(127.0f * v / fastest)));
+    }
+    append(bytes, velocity);
+    particles.push_back(frame.spray.size() / 3);
   }
 
   const double* origin = content.seafloor->GetOrigin();
@@ -276,8 +341,10 @@ std::string ScenePage::packed(std::string& header) const
       { { "columns", columns }, { "rows", rows }, { "origin", { origin[0], origin[1] } },
         { "spacing", { spacing[0] * stride, spacing[1] * stride } }, { "colors", bedColors } } },
     { "water",
-      { { "points", count }, { "triangles", this->Triangles.size() / 3 }, { "low", low }, { "step", step },
-        { "colors", foamColors }, { "opacity", SceneColors::WaterOpacity } } } };
+      { { "points", count }, { "triangles", this->Triangles.size() / 3 }, { "low", places.low },
+        { "step", places.step }, { "colors", foamColors }, { "opacity", SceneColors::WaterOpacity } } },
+    { "rays", { { "lines", this->RayLengths.size() }, { "points", this->RayPlaces.size() / 3 } } },
+    { "spray", { { "particles", particles }, { "low", drops.low }, { "step", drops.step }, { "fastest", fastest } } } };
   header = data.dump();
   return compressed(bytes);
 }

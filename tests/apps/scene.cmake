@@ -18,9 +18,12 @@ swellray_cli_test(chart_time 2 "" "need --style scene" "$SWELLRAY render bay --t
 swellray_cli_test(render_nothing 2 "" "render has nothing to write" "$SWELLRAY render bay")
 swellray_cli_test(export_ending 2 "" "--export must end in .gltf or .html" "${scene} --export s.obj")
 swellray_cli_test(export_without_wave 2 "" "--style scene needs waves" "$SWELLRAY render bay --export s.gltf")
-swellray_cli_test(export_gltf 0 "^seafloor sea .*\n$" ""
+swellray_cli_test(export_gltf 0 "^seafloor sea rays spray .*\n$" ""
   "env -u DISPLAY ${scene} --time 1 --export s.gltf && python3 -c 'import json; print(*[each[\"name\"] for each in json.load(open(\"s.gltf\"))[\"nodes\"]])'")
-swellray_cli_test(export_gltf_times 2 "" "--times needs a movie, numbered pictures, a sheet of frames or a page" "${scene} --times 0:1:0.1 --export s.gltf")
+swellray_cli_test(export_gltf_without_spray 0 "^seafloor sea rays Camera Node Renderer Node\n$" ""
+  "${scene} --spray-rate 0 --export s.gltf && python3 -c 'import json; print(*[each[\"name\"] for each in json.load(open(\"s.gltf\"))[\"nodes\"]])'")
+swellray_cli_test(export_gltf_times 0 "^waves 2\n$" ""
+  "${scene} --times 0:2:1 --export s.gltf && python3 -c 'import json; g = json.load(open(\"s.gltf\")); print(g[\"animations\"][0][\"name\"], len(g[\"meshes\"][1][\"primitives\"][0][\"targets\"]))'")
 swellray_cli_test(export_gltf_full_disk 1 "^0\n$" "cannot write 's.gltf'"
   "( ulimit -f 8; ${scene} --export s.gltf 2>err ); code=$? ; cat err >&2 ; ls -A | grep -vc err ; exit $code")
 

@@ -48,15 +48,21 @@ def check(true, words):
 check.failed = False
 
 
-def surface(program, folder, time):
-    path = os.path.join(folder, "surface.vtp")
-    subprocess.run([program, "surface", *BAY, "--time", repr(time), "-o", path], check=True)
+def read(path):
     reader = vtk.vtkXMLPolyDataReader()
     reader.SetFileName(path)
     reader.Update()
-    data = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def surface(program, folder, time):
+    path, spray = os.path.join(folder, "surface.vtp"), os.path.join(folder, "spray.vtp")
+    subprocess.run([program, "surface", *BAY, "--time", repr(time), "-o", path, "--spray", spray, "--spray-rate", "100"],
+                   check=True)
+    data, drops = read(path), read(spray)
     return (vtk_to_numpy(data.GetPoints().GetData()).astype(float), vtk_to_numpy(data.GetPointData().GetArray("Foam")),
-            vtk_to_numpy(data.GetPolys().GetConnectivityArray()))
+            vtk_to_numpy(data.GetPolys().GetConnectivityArray()), vtk_to_numpy(drops.GetPoints().GetData()).astype(float),
+            vtk_to_numpy(drops.GetPointData().GetArray("Velocity")).astype(float))
 
 
 def check_data(browser, program, folder):
@@ -64,7 +70,7 @@ def check_data(browser, program, folder):
     check(count == 24, f"a period has {count} frames")
     for i in (0, 7):
         time = browser.run(f"swellray.frames[{i}].time")
-        places, foam, triangles = surface(program, folder, time)
+        places, foam, triangles, drops, velocity = surface(program, folder, time)
         # Half a step of 65535 over a bay of 100 m, and what a float keeps of it.
         step = 0.5 * 100.0 / 65535 + 1e-5
         page = numpy.array(browser.run(f"Array.from(swellray.frames[{i}].points)")).reshape(-1, 3)
@@ -72,6 +78,15 @@ def check_data(browser, program, folder):
         page = numpy.array(browser.run(f"Array.from(swellray.frames[{i}].foam)")) / 255.0
         check(abs(page - foam).max() <= 0.5 / 255 + 1e-6, f"so is the foam, up to {foam.max():.2f}")
         check(triangles.tolist() == browser.run("Array.from(swellray.triangles)"), "and the triangles")
+        page = numpy.array(browser.run(f"Array.from(swellray.frames[{i}].spray)")).reshape(-1, 3)
+        check(page.shape == drops.shape and len(drops) > 100 and abs(page - drops).max() < step, f"and {len(drops)} drops of spray")
+        # 0.05 s later, before the next frame, they have flown on; velocities are kept to 1/127 of the largest.
+        later = 0.05
+        browser.run(f"swellray.play(false); swellray.show({time + later})")
+        thrown = drops + later * velocity - [0.0, 0.0, 0.5 * 9.81 * later**2]
+        page = numpy.array(browser.run("Array.from(swellray.drops)")).reshape(-1, 3)
+        fastest = abs(velocity).max()
+        check(abs(page - thrown).max() < step + later * 2.0 * fastest / 127, f"which fly, {fastest:.1f} m/s at most")
 
 
 def check_pictures(browser, folder):
@@ -119,6 +134,9 @@ def check_pictures(browser, folder):
     browser.run("document.getElementById('water').click()")
     check((abs(picture("dry.png") - first).max(axis=2) > SEEN).mean() > 0.1, "water can be taken away")
     browser.run("document.getElementById('water').click()")
+    browser.run("document.getElementById('rays').click()")
+    check((abs(picture("rays.png") - first).max(axis=2) > SEEN).mean() > 0.02, "rays can be laid over it")
+    browser.run("document.getElementById('rays').click()")
     boxes("visible")
 
 
