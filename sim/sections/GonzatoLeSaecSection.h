@@ -15,7 +15,9 @@ namespace swellray
  *   Orientation  = from the slope of the bed to -45 degrees at the crest: gravity,
  *
  * both linear in the three parts -pi, -pi/3, 7 pi/8, pi of psi: behind a crest they set in at once, before it they fade
- * over a third of the wave. Where the bed falls its slope is taken as 0, so no wave breaks backwards.
+ * over a third of the wave. Where the bed falls its slope is taken as 0, so no wave breaks backwards. Limits of ours: the
+ * major axis stands no higher than the wave, R Sx sin(alpha) <= H/2, and Stretch raises the crest by H/2 at most. Without
+ * them crests on beds steeper than beaches, where the axis is long and stands up, rose by several wave heights.
  *
  * The paper has no values for St_max, Ks and Kd. Here they scale with the wave, St_max = stretch H, Ks = ks/H, Kd = kd/H, so
  * that waves of any size begin to plunge at about the same H/h: with the defaults a 9 s swell of 2 m at 0.6, before it
@@ -46,7 +48,8 @@ public:
     TiltedOrbit orbit;
     orbit.majorAxis = std::min(0.5 * place.height / -std::expm1(-factors.major * place.depth), 1.0 / place.wavenumber);
     orbit.minorAxis = orbit.majorAxis * -std::expm1(-factors.minor * place.depth);
-    orbit.sine = sineOfSlope(std::max(0.0, place.slope)) * std::exp(-factors.tilt * place.depth);
+    const double tilt = sineOfSlope(std::max(0.0, place.slope)) * std::exp(-factors.tilt * place.depth);
+    orbit.sine = std::min(tilt, 0.5 * place.height / orbit.majorAxis);
     orbit.cosine = std::sqrt(1.0 - orbit.sine * orbit.sine);
     return orbit;
   }
@@ -85,7 +88,9 @@ public:
       this->Values.stretch * place.height * std::exp(-this->Values.stretchDepth * relativeDepth) / (Pi * Pi);
     const Dual forward = stretch * (psi * psi);
     moved.along = moved.along + orbit.cosine * forward;
-    moved.up = moved.up + orbit.sine * forward;
+    // At the crest, where it is longest.
+    const double rise = orbit.sine * stretch * Pi * Pi;
+    moved.up = moved.up + orbit.sine * std::min(1.0, 0.5 * place.height / rise) * forward;
 
     const Dual share = displacementShare(psi);
     const double beta = std::atan(std::max(0.0, place.slope));

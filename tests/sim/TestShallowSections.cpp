@@ -79,6 +79,24 @@ TEST(GonzatoLeSaecSection, withoutThemItsAmplitudeDecreasesNearTheShoreAndNothin
   EXPECT_LT(before, 0.3);
 }
 
+TEST(GonzatoLeSaecSection, crestsOnSteepBedsRiseNoHigherThanBreakersDo)
+{
+  const GonzatoLeSaecSection section{ {} };
+  // A wave at its limit of 0.78 h: H/2 by either axis of the ellipse and by the stretch, and less than 0.36 H sin(beta) on the
+  // way of the displacement down from the slope of the bed.
+  constexpr double Highest = 1.6;
+  for (const double depth : { 3.0, 1.3, 0.5, 0.1 })
+  {
+    for (const double slope : { 0.1, 0.3, 0.6, 1.0, 3.0 })
+    {
+      const SectionPlace place = placeOf(0.78 * depth, 6.0 * std::sqrt(9.81 * depth), depth, slope);
+      const TiltedOrbit orbit = section.orbit(place);
+      EXPECT_LE(orbit.majorAxis * orbit.sine, 0.5 * place.height * (1.0 + Rounding)) << depth << " " << slope;
+      EXPECT_LT(highest(curveOf(section, place, crestOf(place))).y, Highest * place.height) << depth << " " << slope;
+    }
+  }
+}
+
 TEST(GonzatoLeSaecSection, stretchIsAParabolaThatLeavesTheTrough)
 {
   // Eq. 6: St_max at the crest, 0 at the trough, along the major axis, times exp(-Ks h), Ks = 0.4/H.
