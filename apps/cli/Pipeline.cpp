@@ -255,10 +255,10 @@ void Pipeline::setPointsPerWave(double points)
   this->Spray->SetPointsPerWave(points);
 }
 
-void Pipeline::setSpray(double rate, double scatter)
+void Pipeline::setSpray(double rate, std::optional<double> scatter)
 {
   this->Spray->SetRate(rate);
-  this->Spray->SetScatter(scatter);
+  this->Spray->SetScatter(scatter.value_or(this->Spray->GetScatter()));
 }
 
 vtkPolyData* Pipeline::makeSpray(double time)

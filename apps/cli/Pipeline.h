@@ -22,6 +22,7 @@
 #include <vtkTrivialProducer.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,7 +95,7 @@ public:
   void setPointsPerWave(double points);
 
   /** Particles a metre of crest and metre by which its water is ahead, and how their velocities scatter, from now on. */
-  void setSpray(double rate, double scatter);
+  void setSpray(double rate, std::optional<double> scatter = {});
 
   /** Spray at a time, s, over the same rays. @throws WorkError */
   vtkPolyData* makeSpray(double time);

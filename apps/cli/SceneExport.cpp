@@ -27,6 +27,9 @@ constexpr int FramesPerPeriod = 24;
 
 constexpr double CoarsePointsPerWave = 16.0;
 
+// Each particle is a point: fewer than the fine plumes of pictures have.
+constexpr double PointSprayRate = 100.0;
+
 std::string textOf(const std::string& path)
 {
   std::ifstream in(path, std::ios::binary);
@@ -54,12 +57,6 @@ TimeSeries framesOf(const Request& request)
   return { 0.0, (FramesPerPeriod - 1) * step, step };
 }
 
-// Spray, unless none is wanted.
-vtkPolyData* sprayOf(Pipeline& pipeline, double time, const Request& request)
-{
-  return request.surface.sprayRate.value_or(0.0) > 0.0 ? pipeline.makeSpray(time) : nullptr;
-}
-
 // The sea of a single time, or of those asked for, no finer than can be given on.
 template <typename Scene>
 std::size_t addFrames(Scene& scene, const TimeSeries& frames, const Request& request, Pipeline& pipeline,
@@ -81,9 +78,12 @@ std::size_t addFrames(Scene& scene, const TimeSeries& frames, const Request& req
       surface->GetNumberOfPoints(), count, what));
   }
   const auto shown = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  const double sprayRate = request.surface.sprayRate.value_or(PointSprayRate);
+  pipeline.setSpray(sprayRate);
   for (std::size_t i = 0; i < count; ++i)
   {
-    scene.add(pipeline.makeSurface(frames.at(i)), frames.at(i), sprayOf(pipeline, frames.at(i), request));
+    const double time = frames.at(i);
+    scene.add(pipeline.makeSurface(time), time, sprayRate > 0.0 ? pipeline.makeSpray(time) : nullptr);
     console.progress("frames", static_cast<double>(i + 1) / static_cast<double>(count));
   }
   console.endProgress();
