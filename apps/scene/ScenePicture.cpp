@@ -48,7 +48,13 @@ constexpr double ScenesToHorizon = 8.0;
 // The open sea lies under the troughs of the waves, wave heights.
 constexpr double OpenSeaDepth = 0.55;
 
-constexpr double Visibility = 15000.0; // m
+// Over which air takes two thirds of the light: on a clear day, and clearer where the scene would be lost in it.
+constexpr double Visibility = 20000.0; // m
+constexpr double ScenesVisible = 12.0;
+
+// Where the sky before the camera is brighter than a quarter turn from the sun, so much of that is taken back.
+constexpr double MeteredElevation = 12.0; // degrees
+constexpr double MeteredShare = 0.6;
 
 // Ripples and patches of foam over the wavelength offshore, and the largest, m.
 constexpr double RippleShare = 0.06;
@@ -168,7 +174,7 @@ void ScenePicture::setUniforms(vtkActor* actor, double time)
   }
   setUniform(uniforms, "skyScale", sky.scale());
   setUniform(uniforms, "sunDirection", sky.sun());
-  setUniform(uniforms, "middle", sky.middleLuminance());
+  setUniform(uniforms, "middle", this->exposureLuminance());
   setUniform(uniforms, "eye", this->Content.camera.eye);
   setUniform(uniforms, "waterLevel", this->Content.waterLevel);
   setUniform(uniforms, "waveHeight", this->Content.waveHeight);
@@ -176,7 +182,7 @@ void ScenePicture::setUniforms(vtkActor* actor, double time)
   setUniform(uniforms, "rippleHeading", headingFromNautical(this->Content.directionFrom) + 0.3);
   setUniform(uniforms, "rippleLength", std::min(LongestRipple, RippleShare * this->Content.wavelength));
   setUniform(uniforms, "foamSize", std::min(LargestFoam, FoamShare * this->Content.wavelength));
-  setUniform(uniforms, "haze", Visibility);
+  setUniform(uniforms, "haze", std::max(Visibility, ScenesVisible * this->Extent));
   double bounds[6];
   this->Content.seafloor->GetBounds(bounds);
   const float sceneBounds[4] = { static_cast<float>(bounds[0]), static_cast<float>(bounds[2]),
@@ -185,6 +191,23 @@ void ScenePicture::setUniforms(vtkActor* actor, double time)
   const bool open = actor == this->OpenSea.Get();
   const std::array<float, 4> swell = open ? this->swellAt(time) : std::array<float, 4>{ 0.0F, 0.0F, 0.0F, 0.0F };
   uniforms->SetUniform4f("swell", swell.data());
+}
+
+double ScenePicture::exposureLuminance() const
+{
+  const SceneCamera& camera = this->Content.camera;
+  const double middle = this->Content.sky.middleLuminance();
+  const double x = camera.focus[0] - camera.eye[0];
+  const double y = camera.focus[1] - camera.eye[1];
+  const double level = std::hypot(x, y);
+  if (!(level > 0.0))
+  {
+    return middle;
+  }
+  const double along = std::cos(radians(MeteredElevation)) / level;
+  const Light seen = this->Content.sky.light({ along * x, along * y, std::sin(radians(MeteredElevation)) });
+  const double luminance = 0.2126 * seen[0] + 0.7152 * seen[1] + 0.0722 * seen[2];
+  return middle * std::pow(std::max(1.0, luminance / middle), MeteredShare);
 }
 
 std::array<float, 4> ScenePicture::swellAt(double time) const

@@ -63,6 +63,7 @@ private:
   void addPart(
     vtkActor* actor, vtkPolyDataMapper* mapper, vtkPolyData* data, const Values& values, const std::string& code);
   void setUniforms(vtkActor* actor, double time);
+  double exposureLuminance() const;                // that is shown as a middle tone, kcd/m2
   std::array<float, 4> swellAt(double time) const; // wavenumber vector, phase and amplitude of the incident wave
   vtkSmartPointer<vtkPolyData> openSea() const;
   vtkIdType reliefNodes() const;

@@ -42,6 +42,10 @@ vec3 perez(float cosZenith, float sunAngle, float cosSun)
     (1.0 + perezC * exp(perezD * sunAngle) + perezE * cosSun * cosSun);
 }
 
+// The model's sky is too yellow and green where the sun is low, and what the sky alone lights is dimmer then.
+#define highSun smoothstep(0.05, 0.30, sunDirection.z)
+#define duskTint mix(vec3(1.12, 0.80, 0.85), vec3(1.0), highSun)
+
 // Light of the sky from a direction, linear sRGB, kcd/m2.
 vec3 skyLight(vec3 direction)
 {
@@ -51,10 +55,11 @@ vec3 skyLight(vec3 direction)
   float Z = value.x * (1.0 - value.y - value.z) / value.z;
   vec3 light = vec3(3.2404542 * X - 1.5371385 * value.x - 0.4985314 * Z,
     -0.9692660 * X + 1.8760108 * value.x + 0.0415560 * Z, 0.0556434 * X - 0.2040259 * value.x + 1.0572252 * Z);
-  return max(light, vec3(0.0));
+  return max(light, vec3(0.0)) * duskTint;
 }
 
-const vec3 sunColor = vec3(1.0, 0.93, 0.80);
+// Through more air the low sun is redder and weaker.
+#define sunColor (mix(vec3(0.75, 0.30, 0.10), vec3(1.0, 0.93, 0.80), smoothstep(0.02, 0.35, sunDirection.z)))
 
 // Whole numbers hashed, so that every driver draws the same patches: pcg2d of M. Jarzynski and M. Olano, Journal of
 // Computer Graphics Techniques 9(3), 2020.
@@ -196,8 +201,8 @@ std::string waterCode()
   float grain = clamp(0.5 + 2.4 * (0.7 * patches + 0.3 * bubbles - 0.5), 0.0, 1.0);
   float left = 0.86 * foam;
   float cover = smoothstep(1.0 - left, 1.2 - left, grain) * step(0.004, foam);
-  float lit = 1.7 + 1.5 * sunSeen * max(dot(up, sunDirection), 0.0);
-  light = mix(light, middle * vec3(0.97, 0.99, 1.0) * lit * (0.7 + 0.5 * bubbles), 0.95 * cover);
+  vec3 lit = vec3(1.65, 1.68, 1.7) * duskTint * (0.6 + 0.4 * highSun) + 1.5 * sunSeen * max(dot(up, sunDirection), 0.0) * sunColor;
+  light = mix(light, middle * lit * (0.7 + 0.5 * bubbles), 0.95 * cover);
 
   gl_FragData[0] = tone(throughAir(light, -view, distance));
 )";
@@ -243,7 +248,8 @@ std::string sprayCode()
   // VTK has an opacity of its own in its shaders, so that of drops has another name.
   // Water in the air scatters most of the light on; drops that fall are in the shade of others (Peachey 1986, section 4.3).
   float through = pow(max(0.0, -dot(view, sunDirection)), 8.0);
-  vec3 light = middle * vec3(0.97, 0.99, 1.0) * (2.0 + 1.2 * sunDirection.z + 2.5 * through) * shade;
+  vec3 light = middle * vec3(0.97, 0.99, 1.0) * (2.0 + 1.2 * sunDirection.z + 2.5 * through) * duskTint *
+    (0.6 + 0.4 * highSun) * shade;
   float side = 1.0 - across * across;
   float end = 1.0 - along * along;
   gl_FragData[0] = vec4(tone(throughAir(light, -view, distance)).rgb, dropOpacity * side * side * end);
