@@ -4,6 +4,7 @@
 #include "CausticField.h"
 #include "FieldData.h"
 #include "RayArrays.h"
+#include "sim/FoldsBeside.h"
 #include "sim/WaveHeight.h"
 
 #include <vtkCellData.h>
@@ -160,6 +161,28 @@ int vtkSwellWaveHeight::RequestData(
     swellray::setFieldString(output, "CausticRule", swellray::causticRuleName(options.caustics));
     swellray::setFieldValue(output, "BreakerIndex", swellray::breakerIndex(options, wave));
 
+    swellray::TouchingRays touching;
+    touching.rays = rays;
+    touching.offsets = offsets.data();
+    touching.caustics = caustics.caustics.data();
+    touching.causticOffsets = caustics.offsets.data();
+    touching.phase = all.phase;
+    touching.wavenumber = all.wavenumber;
+    touching.krTube = all.krTube;
+    touching.state = all.state;
+    std::vector<double> beside;
+    if (!caustics.caustics.empty() && options.caustics == swellray::CausticRule::Uniform)
+    {
+      const auto count = static_cast<vtkIdType>(rays);
+      const auto parameter = swellray::requireDoubles(input->GetCellData(), "LaunchParameter", count);
+      const auto segment = swellray::requireIntegers(input->GetCellData(), "LaunchSegment", count);
+      const auto lee = swellray::requireBytes(input->GetCellData(), "LeeRay", count);
+      touching.launchParameter = parameter->GetPointer(0);
+      touching.launchSegment = segment->GetPointer(0);
+      touching.lee = lee->GetPointer(0);
+      beside = swellray::foldsBeside(touching, swellray::makeExecution(this, 0.0, 0.1));
+    }
+
     std::vector<double> share(static_cast<std::size_t>(points));
     swellray::RayLossArrays losses;
     losses.phase = phase->GetPointer(0);
@@ -172,7 +195,7 @@ int vtkSwellWaveHeight::RequestData(
     const int* const parents = rays > 0 ? parent->GetPointer(0) : nullptr;
     const Generations generations(parents, rays);
 
-    const swellray::Execution execution = swellray::makeExecution(this);
+    const swellray::Execution execution = swellray::makeExecution(this, 0.1, 1.0);
     std::size_t generation = 1;
     for (std::size_t first = 0, count = 0; first < rays; first += count)
     {
@@ -202,11 +225,12 @@ int vtkSwellWaveHeight::RequestData(
             profile.phase += at;
             profile.caustics = caustics.caustics.data() + caustics.offsets[ray];
             profile.causticCount = caustics.offsets[ray + 1] - caustics.offsets[ray];
+            profile.foldBeside = beside.empty() ? nullptr : beside.data() + at;
             if (profile.count > 0 && Generations::hasParent(parents, ray))
             {
-              const auto beside = static_cast<std::size_t>(parents[ray]);
+              const auto other = static_cast<std::size_t>(parents[ray]);
               profile.before =
-                swellray::lossesAt(raySlice(losses, offsets[beside], offsets[beside + 1]), losses.phase[at]);
+                swellray::lossesAt(raySlice(losses, offsets[other], offsets[other + 1]), losses.phase[at]);
             }
             swellray::computeHeights(profile, wave, options, heights);
             std::copy(heights.refraction.begin(), heights.refraction.end(), refraction + at);

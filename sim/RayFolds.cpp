@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace swellray
 {
@@ -28,8 +29,8 @@ double square(double x)
 
 }
 
-RayFolds::RayFolds(
-  const RayCaustic* caustics, std::size_t count, const double* phase, const double* wavenumber, std::size_t points)
+RayFolds::RayFolds(const RayCaustic* caustics, std::size_t count, const double* phase, const double* wavenumber,
+  std::size_t points, const double* beside)
 {
   // Integral of dS/k^2 over a stretch, by trapezia.
   const auto stretch = [](double fromPhase, double fromK, double toPhase, double toK)
@@ -69,6 +70,25 @@ RayFolds::RayFolds(
     this->HighestPeak = std::max(this->HighestPeak, fold.peak);
     this->Folds.push_back(std::move(fold));
   }
+  const auto isNear = [](double half) { return std::isfinite(half); };
+  if (beside && std::any_of(beside, beside + points, isNear))
+  {
+    Fold fold;
+    // The ray does not touch it.
+    fold.half.resize(points);
+    std::transform(beside, beside + points, fold.half.begin(), [](double half) { return std::max(half, Touching); });
+    this->Folds.push_back(std::move(fold));
+  }
+}
+
+double RayFolds::half(std::size_t point) const
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Fold& fold : this->Folds)
+  {
+    least = std::min(least, fold.half[point]);
+  }
+  return least;
 }
 
 double RayFolds::tubeShare(std::size_t point) const

@@ -24,11 +24,15 @@ public:
    * @param caustics of this ray; those without neighbours, and foci (foldPeak above 10), are left out
    * @param phase S at the points, rad, increasing
    * @param wavenumber k at the points, rad/m
+   * @param beside half the phase of a fold that goes beside the ray (foldsBeside), a point, rad; null: none
    */
-  RayFolds(
-    const RayCaustic* caustics, std::size_t count, const double* phase, const double* wavenumber, std::size_t points);
+  RayFolds(const RayCaustic* caustics, std::size_t count, const double* phase, const double* wavenumber,
+    std::size_t points, const double* beside = nullptr);
 
   bool empty() const { return this->Folds.empty(); }
+
+  /** Half the phase between the branches of the nearest fold at a point, rad; infinite without one. */
+  double half(std::size_t point) const;
 
   /** Largest refraction coefficient on a fold (foldPeak); 0 without one. */
   double highestPeak() const { return this->HighestPeak; }

@@ -198,8 +198,8 @@ void computeHeights(
   const double* const first = spacing ? profile.krSpacing : profile.krTube;
   const double* const second = spacing ? profile.krTube : profile.krSpacing;
   const bool uniform = options.caustics == CausticRule::Uniform;
-  const RayFolds folds(
-    profile.caustics, uniform ? profile.causticCount : 0, profile.phase, profile.wavenumber, profile.count);
+  const RayFolds folds(profile.caustics, uniform ? profile.causticCount : 0, profile.phase, profile.wavenumber,
+    profile.count, uniform ? profile.foldBeside : nullptr);
   const double cap = options.caustics == CausticRule::Geometric ? std::numeric_limits<double>::infinity()
                                                                 : std::max(options.maxRefraction, folds.highestPeak());
   const double fluxFactor = SeaWaterDensity * wave.gravity / 8.0;

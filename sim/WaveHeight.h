@@ -92,6 +92,8 @@ struct RayProfile
   const double* phase = nullptr;        ///< S, rad, increasing; null allowed without caustics
   const RayCaustic* caustics = nullptr; ///< touched by the ray
   std::size_t causticCount = 0;
+  const double* foldBeside =
+    nullptr; ///< as foldsBeside(), used with CausticRule::Uniform; null: no fold goes beside it
 };
 
 /** What is known of the losses of one ray: plain arrays, one entry a point. */
