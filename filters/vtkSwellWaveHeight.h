@@ -14,7 +14,8 @@
  * - Depth (m), Wavenumber (rad/m), GroupSpeed (m/s), TravelTime (s), Phase (rad), ShoalingCoefficient, KrSpacing,
  *   KrTube, RayState,
  * the cell array ParentRay (an inserted ray begins with the losses of its parent there)
- * and RayId, the field data CausticPoints where rays touch caustics, and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
+ * and RayId, the field data CausticPoints where rays touch caustics (then also the cell arrays LaunchParameter, LaunchSegment
+ * and LeeRay), and Period (s), DirectionFrom (nautical degrees), WaveHeight (m, the incident height),
  * OffshoreDepth (m) and Gravity (m/s2): the wave is the one that was traced, it cannot be set here.
  *
  * Output: the input, its arrays shared, with these point arrays added

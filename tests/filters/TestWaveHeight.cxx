@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -212,6 +213,58 @@ TEST(WaveHeight, insertedRaysBeginWithTheLossesOfTheirParents)
     inserted += friction[first] < 0.9999 ? 1 : 0;
   }
   EXPECT_GT(inserted, 0);
+}
+
+TEST(WaveHeight, isThatOfNeighboursWhereTheSheetFolds)
+{
+  // Two folds of this beach run on between rays that touch them and rays that reach the beach beside them.
+  Scene scene;
+  scene.Reader->SetFileName("babbage");
+  scene.Tracer->SetPeriod(6.0);
+  scene.Tracer->SetDirectionFrom(0.0);
+  scene.Tracer->SetWaveHeight(1.0);
+  scene.Tracer->SetSpacing(10.0);
+  scene.Heights->Update();
+  vtkPolyData* data = scene.Heights->GetOutput();
+  const double* phase = valuesOf(data, "Phase");
+  const double* refraction = valuesOf(data, "RefractionCoefficient");
+  const double* tube = valuesOf(data, "KrTube");
+  const unsigned char* state = bytesOf(data, "RayState");
+  vtkDataArray* touched = data->GetPointData()->GetArray("Caustics");
+  vtkDataArray* parameter = data->GetCellData()->GetArray("LaunchParameter");
+  std::vector<vtkIdType> row(static_cast<std::size_t>(data->GetNumberOfLines()));
+  std::iota(row.begin(), row.end(), 0);
+  std::sort(row.begin(), row.end(),
+    [&](vtkIdType a, vtkIdType b) { return parameter->GetComponent(a, 0) < parameter->GetComponent(b, 0); });
+  double largest = 1.0;
+  double ofTubes = 1.0;
+  for (std::size_t i = 1; i < row.size(); ++i)
+  {
+    vtkIdType sizeA = 0;
+    vtkIdType sizeB = 0;
+    const vtkIdType* pointsA = nullptr;
+    const vtkIdType* pointsB = nullptr;
+    data->GetLines()->GetCellAtId(row[i - 1], sizeA, pointsA);
+    const std::vector<vtkIdType> a(pointsA, pointsA + sizeA);
+    data->GetLines()->GetCellAtId(row[i], sizeB, pointsB);
+    for (vtkIdType j = 0; j < sizeB; ++j)
+    {
+      const vtkIdType b = pointsB[j];
+      const auto found =
+        std::find_if(a.begin(), a.end(), [&](vtkIdType p) { return std::abs(phase[p] - phase[b]) < 1e-6; });
+      if (found == a.end() || state[*found] != 1 || state[b] != 1 ||
+        touched->GetComponent(*found, 0) == touched->GetComponent(b, 0))
+      {
+        continue;
+      }
+      const double ratio = refraction[*found] / refraction[b];
+      largest = std::max({ largest, ratio, 1.0 / ratio });
+      ofTubes = std::max({ ofTubes, tube[*found], tube[b] });
+    }
+  }
+  // Rays are about half a wavelength apart there. Without the folds beside them some are twice as high as the next.
+  EXPECT_LT(largest, 1.5);
+  EXPECT_GT(ofTubes, 2.0);
 }
 
 TEST(WaveHeight, stopsWhenAsked)
