@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace swellray
 {
@@ -23,29 +24,10 @@ constexpr double LeastHalf = 1e-4;
 // Beyond it nothing is left to do: the modulus is 1 to 2e-6.
 constexpr double LargestHalf = 100.0;
 
-double cube(double x)
+double square(double x)
 {
-  return x * x * x;
+  return x * x;
 }
-
-// A along a ray that touches a caustic, by phase.
-struct FoldRate
-{
-  std::vector<double> phase;
-  std::vector<double> rate;
-
-  double at(double where) const
-  {
-    const auto next =
-      static_cast<std::size_t>(std::upper_bound(this->phase.begin(), this->phase.end(), where) - this->phase.begin());
-    if (next == 0 || next == this->phase.size())
-    {
-      return next == 0 ? this->rate.front() : this->rate.back();
-    }
-    const double way = (where - this->phase[next - 1]) / (this->phase[next] - this->phase[next - 1]);
-    return this->rate[next - 1] + way * (this->rate[next] - this->rate[next - 1]);
-  }
-};
 
 std::size_t touchedCount(const TouchingRays& rays, std::size_t ray)
 {
@@ -54,26 +36,84 @@ std::size_t touchedCount(const TouchingRays& rays, std::size_t ray)
 
 double tubeWidth(const TouchingRays& rays, std::size_t point)
 {
-  return 1.0 / (rays.krTube[point] * rays.krTube[point]);
+  return 1.0 / square(rays.krTube[point]);
 }
 
-FoldRate rateOf(const TouchingRays& rays, std::size_t ray, std::size_t number)
+// Values along a ray between its points.
+double between(const std::vector<double>& phases, const std::vector<double>& values, double phase)
 {
-  const auto first = static_cast<std::size_t>(rays.offsets[ray]);
-  const auto count = static_cast<std::size_t>(rays.offsets[ray + 1]) - first;
-  const RayFolds fold(
-    rays.caustics + rays.causticOffsets[ray] + number, 1, rays.phase + first, rays.wavenumber + first, count);
-  FoldRate rate;
-  for (std::size_t i = 0; i < count && !fold.empty(); ++i)
+  const auto next = static_cast<std::size_t>(std::upper_bound(phases.begin(), phases.end(), phase) - phases.begin());
+  if (next == 0 || next == phases.size())
   {
-    const double value = fold.half(i) / cube(tubeWidth(rays, first + i));
-    if (fold.half(i) > LeastHalf && std::isfinite(value) && isOnWater(static_cast<RayState>(rays.state[first + i])))
+    return next == 0 ? values.front() : values.back();
+  }
+  const double way = (phase - phases[next - 1]) / (phases[next] - phases[next - 1]);
+  return values[next - 1] + way * (values[next] - values[next - 1]);
+}
+
+// A fold along its way between the ray that touches it and the next, by phase.
+struct FoldWay
+{
+  std::vector<double> ratePhase;
+  std::vector<double> rate; // A, rad
+  std::vector<double> phase;
+  std::vector<double> growth; // d beta/d lambda where the sheet folds, 1/m; 0 where it does not
+  std::vector<double> place;  // lambda there, m
+
+  bool empty() const { return this->rate.empty() || this->phase.empty(); }
+
+  double half(double where, double width, double parameter) const
+  {
+    const double grown = between(this->phase, this->growth, where);
+    if (grown == 0.0)
     {
-      rate.phase.push_back(rays.phase[first + i]);
-      rate.rate.push_back(value);
+      return Infinity;
+    }
+    const double linear = grown * (parameter - between(this->phase, this->place, where));
+    return between(this->ratePhase, this->rate, where) * width * square(linear);
+  }
+};
+
+FoldWay wayOf(const TouchingRays& rays, std::size_t ray, std::size_t next, std::size_t number)
+{
+  const auto points = [&](std::size_t of)
+  { return std::pair(static_cast<std::size_t>(rays.offsets[of]), static_cast<std::size_t>(rays.offsets[of + 1])); };
+  const auto [first, last] = points(ray);
+  const RayCaustic& caustic = rays.caustics[rays.causticOffsets[ray] + number];
+  const RayFolds fold(&caustic, 1, rays.phase + first, rays.wavenumber + first, last - first);
+  FoldWay way;
+  std::vector<double> phases, widths;
+  for (auto [i, end] = points(next); i < end; ++i)
+  {
+    if (std::isfinite(tubeWidth(rays, i)))
+    {
+      phases.push_back(rays.phase[i]);
+      widths.push_back(tubeWidth(rays, i));
     }
   }
-  return rate;
+  const double apart = rays.launchParameter[next] - rays.launchParameter[ray];
+  for (std::size_t i = first; i < last && !fold.empty() && !phases.empty() && apart != 0.0; ++i)
+  {
+    const double width = tubeWidth(rays, i);
+    const bool inside = rays.phase[i] >= phases.front() && rays.phase[i] <= phases.back();
+    if (!inside || !std::isfinite(width) || !isOnWater(static_cast<RayState>(rays.state[i])))
+    {
+      continue;
+    }
+    if (fold.half(i - first) > LeastHalf && width > 0.0)
+    {
+      way.ratePhase.push_back(rays.phase[i]);
+      way.rate.push_back(fold.half(i - first) / (width * square(width)));
+    }
+    // Once the ray has touched it the fold is between the two.
+    const double beyond = between(phases, widths, rays.phase[i]);
+    const double growth = (beyond + (rays.phase[i] < caustic.phase ? -width : width)) / apart;
+    const bool grows = growth * apart > 0.0;
+    way.phase.push_back(rays.phase[i]);
+    way.growth.push_back(grows ? growth : 0.0);
+    way.place.push_back(grows ? rays.launchParameter[next] - beyond / growth : rays.launchParameter[ray]);
+  }
+  return way;
 }
 
 }
@@ -103,23 +143,33 @@ std::vector<double> foldsBeside(const TouchingRays& rays, const Execution& execu
         std::make_tuple(rays.launchSegment[b], rays.launchParameter[b], b);
     });
 
-  // The nearest ray before and after each that touches one caustic more, those between them touching as many as it does.
+  // The nearest ray before and after each that touches one caustic more, those between them touching as many as it does, and
+  // the one next to it.
   constexpr auto none = std::numeric_limits<std::size_t>::max();
-  std::vector<std::array<std::size_t, 2>> beside(rays.rays, { none, none });
+  struct Beside
+  {
+    std::size_t ray = none;
+    std::size_t next = none;
+  };
+  std::vector<std::array<Beside, 2>> beside(rays.rays);
   for (const std::size_t side : { 0u, 1u })
   {
-    std::vector<std::size_t> nearest(most + 1, none); // by the number of the caustic, from 0
+    std::vector<Beside> nearest(most + 1); // by the number of the caustic, from 0
     for (std::size_t i = 0; i < row.size(); ++i)
     {
       const std::size_t ray = side == 0 ? row[i] : row[row.size() - 1 - i];
       const std::size_t before = i == 0 ? ray : side == 0 ? row[i - 1] : row[row.size() - i];
       if (rays.launchSegment[ray] != rays.launchSegment[before])
       {
-        std::fill(nearest.begin(), nearest.end(), none);
+        std::fill(nearest.begin(), nearest.end(), Beside{});
       }
       const std::size_t touched = touchedCount(rays, ray);
-      std::fill_n(nearest.begin(), touched, ray);
-      std::fill(nearest.begin() + static_cast<std::ptrdiff_t>(std::min(touched + 1, most)), nearest.end(), none);
+      for (std::size_t number = 0; number <= most; ++number)
+      {
+        Beside& of = nearest[number];
+        of = number < touched ? Beside{ ray, none } : number == touched ? of : Beside{};
+        of.next = number == touched && of.ray != none && of.next == none ? ray : of.next;
+      }
       beside[ray][side] = nearest[touched];
     }
   }
@@ -132,14 +182,14 @@ std::vector<double> foldsBeside(const TouchingRays& rays, const Execution& execu
         const auto first = static_cast<std::size_t>(rays.offsets[ray]);
         const auto count = static_cast<std::size_t>(rays.offsets[ray + 1]) - first;
         const std::size_t touched = touchedCount(rays, ray);
-        for (const std::size_t other : beside[ray])
+        for (const Beside& other : beside[ray])
         {
-          if (other == none)
+          if (other.ray == none)
           {
             continue;
           }
-          const FoldRate rate = rateOf(rays, other, touched);
-          if (rate.phase.empty())
+          const FoldWay fold = wayOf(rays, other.ray, other.next, touched);
+          if (fold.empty())
           {
             continue;
           }
@@ -151,7 +201,7 @@ std::vector<double> foldsBeside(const TouchingRays& rays, const Execution& execu
             const double share = own.tubeShare(i);
             if (std::isfinite(width) && share < 1.0)
             {
-              const double here = rate.at(rays.phase[first + i]) * cube(width) / (1.0 - share);
+              const double here = fold.half(rays.phase[first + i], width, rays.launchParameter[ray]) / (1.0 - share);
               half[first + i] = here < LargestHalf ? std::min(half[first + i], here) : half[first + i];
             }
           }

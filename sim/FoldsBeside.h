@@ -33,6 +33,8 @@ struct TouchingRays
  * Half the phase between the branches is A |beta|^3 on both sides of a caustic, on one front: beta grows with the
  * distance from it there in launch parameter, and the phase with the third power. A at a phase is that of the
  * nearest ray in launch parameter that touches the caustic (RayFolds), so that heights on both sides of it go to the same.
+ * The fold is where beta, linear in the launch parameter between that ray and the one next to it, is 0; for rays further from
+ * it two of the powers are those of what beta would be, had it gone on growing so: it need not.
  * Next to a caustic that the ray touches itself the other counts for nothing.
  *
  * @return half the phase between the branches a point, rad (RayFolds); infinite where there is no such fold

@@ -70,14 +70,9 @@ RayFolds::RayFolds(const RayCaustic* caustics, std::size_t count, const double* 
     this->HighestPeak = std::max(this->HighestPeak, fold.peak);
     this->Folds.push_back(std::move(fold));
   }
-  const auto isNear = [](double half) { return std::isfinite(half); };
-  if (beside && std::any_of(beside, beside + points, isNear))
+  if (beside && std::any_of(beside, beside + points, [](double half) { return std::isfinite(half); }))
   {
-    Fold fold;
-    // The ray does not touch it.
-    fold.half.resize(points);
-    std::transform(beside, beside + points, fold.half.begin(), [](double half) { return std::max(half, Touching); });
-    this->Folds.push_back(std::move(fold));
+    this->Beside.assign(beside, beside + points);
   }
 }
 
@@ -93,13 +88,8 @@ double RayFolds::half(std::size_t point) const
 
 double RayFolds::tubeShare(std::size_t point) const
 {
-  double share = 0.0;
-  for (const Fold& fold : this->Folds)
-  {
-    const double x = std::clamp((NoTube - fold.half[point]) / (NoTube - AllTube), 0.0, 1.0);
-    share = std::max(share, x * x * (3.0 - 2.0 * x));
-  }
-  return share;
+  const double x = std::clamp((NoTube - this->half(point)) / (NoTube - AllTube), 0.0, 1.0);
+  return x * x * (3.0 - 2.0 * x);
 }
 
 double RayFolds::refraction(std::size_t point, double width) const
@@ -118,7 +108,11 @@ double RayFolds::refraction(std::size_t point, double width) const
   {
     coefficient *= &fold == touched ? 1.0 : foldModulus(fold.half[point]);
   }
-  return coefficient;
+  if (this->Beside.empty())
+  {
+    return coefficient;
+  }
+  return std::max(coefficient * foldModulus(std::max(this->Beside[point], Touching)), std::min(coefficient, 1.0));
 }
 
 }

@@ -29,9 +29,9 @@ public:
   RayFolds(const RayCaustic* caustics, std::size_t count, const double* phase, const double* wavenumber,
     std::size_t points, const double* beside = nullptr);
 
-  bool empty() const { return this->Folds.empty(); }
+  bool empty() const { return this->Folds.empty() && this->Beside.empty(); }
 
-  /** Half the phase between the branches of the nearest fold at a point, rad; infinite without one. */
+  /** Half the phase between the branches of the nearest fold that the ray touches, at a point, rad; infinite without one. */
   double half(std::size_t point) const;
 
   /** Largest refraction coefficient on a fold (foldPeak); 0 without one. */
@@ -43,7 +43,10 @@ public:
    */
   double tubeShare(std::size_t point) const;
 
-  /** Refraction coefficient at a point: |width|^(-1/2) with the foldModulus() of all folds; finite where one is touched. */
+  /**
+   * Refraction coefficient at a point: |width|^(-1/2) with the foldModulus() of all folds; finite where one is touched. A fold
+   * beside the ray takes away no more than what the way towards it has added: it leaves 1.
+   */
   double refraction(std::size_t point, double width) const;
 
 private:
@@ -54,6 +57,7 @@ private:
   };
 
   std::vector<Fold> Folds;
+  std::vector<double> Beside; // half a point; empty: none
   double HighestPeak = 0.0;
 };
 
