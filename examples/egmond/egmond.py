@@ -95,9 +95,9 @@ else:
     figure, rows = pyplot.subplots(len(POLES), sharex=True, figsize=(11, 12))
     days = [datetime.datetime.fromisoformat(hour) for hour in hours]
     for axes, pole in zip(rows, POLES):
-        axes.plot(days, [heights.get((hour, pole), math.nan) for hour in hours], ".-", color="black", label="measured")
-        axes.plot(days, [computed[hour, pole] for hour in hours], ".-", color="tab:blue", label="computed")
+        axes.plot(days, [heights.get((hour, pole), math.nan) for hour in hours], "-", linewidth=1, color="black", label="measured")
+        axes.plot(days, [computed[hour, pole] for hour in hours], "-", linewidth=1, color="tab:blue", label="computed")
         axes.set(ylabel=f"Hm0 at {pole}, m", ylim=(0, None))
     rows[0].legend()
     figure.autofmt_xdate()
-    figure.savefig(folder / "egmond.png", dpi=100)
+    figure.savefig(folder / "egmond.png", dpi=72, bbox_inches="tight")
