@@ -33,6 +33,26 @@ constexpr int BedPlaces = 2000;
 // Panels that can still be told apart.
 constexpr std::size_t MostPanels = 40;
 
+// Land that is shown beyond the water, of the length of the line.
+constexpr double LandShown = 0.05;
+
+// The part of a line from its first to its last water, with some land.
+drawing::CutLine wetPart(const drawing::CutLine& line, vtkImageData* seafloor, double waterLevel)
+{
+  const std::vector<double> bed = drawing::cutSeafloor(seafloor, line, BedPlaces);
+  const auto wet = [waterLevel](double elevation) { return elevation < waterLevel; };
+  const auto first = std::find_if(bed.begin(), bed.end(), wet);
+  const auto last = std::find_if(bed.rbegin(), bed.rend(), wet);
+  if (first == bed.end())
+  {
+    return line;
+  }
+  const double count = BedPlaces - 1.0;
+  const double begin = std::max(0.0, static_cast<double>(first - bed.begin()) / count - LandShown);
+  const double end = std::min(1.0, 1.0 - static_cast<double>(last - bed.rbegin()) / count + LandShown);
+  return { line.from + begin * (line.to - line.from), line.from + end * (line.to - line.from) };
+}
+
 // The line asked for, or the way of the waves through the middle of the scene.
 drawing::CutLine lineOf(const Request& request, vtkImageData* seafloor)
 {
@@ -55,7 +75,7 @@ drawing::CutLine lineOf(const Request& request, vtkImageData* seafloor)
       reach = std::min(reach, 0.5 * (bounds[2 * axis + 1] - bounds[2 * axis]) / std::abs(way[axis]));
     }
   }
-  return { middle - reach * way, middle + reach * way };
+  return wetPart({ middle - reach * way, middle + reach * way }, seafloor, request.seafloor.options.waterLevel);
 }
 
 }

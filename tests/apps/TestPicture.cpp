@@ -230,3 +230,31 @@ TEST(Picture, PutsFramesIntoASheet)
   const auto* empty = static_cast<const unsigned char*>(sheet->GetOutput()->GetScalarPointer(600, 200, 0));
   EXPECT_EQ(empty[0] + empty[1] + empty[2], 3 * 255);
 }
+
+TEST(Picture, CutsTheSeaAndLittleOfTheLand)
+{
+  tolerateTheDriver();
+  if (!canDraw())
+  {
+    GTEST_SKIP() << "neither a display nor Xvfb to draw with";
+  }
+  const ScratchFolder folder("shore-section");
+  const std::string picture = folder / "section.png";
+  // Two thirds of the scene are land.
+  ASSERT_EQ(runSwellray("render plane:slope=0.05,x0=-300,x1=150,y0=-10,y1=10 --style section --period 6 --direction 90 "
+                        "--height 1.2 --size 800x600 -o " +
+              picture),
+    0);
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(picture.c_str());
+  reader->Update();
+  // Just under the upper edge of the section, where the bed is land.
+  int land = 0;
+  for (int x = 60; x < 780; ++x)
+  {
+    const auto* pixel = static_cast<const unsigned char*>(reader->GetOutput()->GetScalarPointer(x, 500, 0));
+    land += pixel[0] > pixel[2] + 30;
+  }
+  EXPECT_GT(land, 0.02 * 720);
+  EXPECT_LT(land, 0.12 * 720);
+}
