@@ -302,9 +302,10 @@ void MildSlopeFeedback::setLosses(MildSlopeMesh& mesh, const std::vector<std::co
           this->Broken[e] =
             height > place.limit || (share > 0.5 && height > DallyStableIndex * mesh.media()[e].depth) ? 1 : 0;
         }
-        const bool lossless = place.loss == 0.0 && lossOf(e, before) == 0.0;
+        // Where it loses what it did: nothing, or what does not depend on the height.
+        const bool asBefore = lossOf(e, before) == place.loss;
         change[e] =
-          lossless ? std::clamp(before, -LargestChange, LargestChange) : rootOf(excess, -LargestChange, LargestChange);
+          asBefore ? std::clamp(before, -LargestChange, LargestChange) : rootOf(excess, -LargestChange, LargestChange);
       }
     }
   }
