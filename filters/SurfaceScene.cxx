@@ -129,6 +129,7 @@ SurfaceScene::SurfaceScene(
   std::vector<double> phase(sheet.pointCount());
   std::vector<double> breakingPhase(sheet.pointCount());
   std::vector<double> foamShare(sheet.pointCount());
+  std::vector<double> plungePhase(sheet.pointCount());
   std::vector<double> launchParameter(sheet.pointCount(), 0.0);
   for (std::size_t i = 0; i < breakingPhase.size(); ++i)
   {
@@ -136,6 +137,7 @@ SurfaceScene::SurfaceScene(
     const FoamOrigin origin = this->Surface->foamOrigin(i);
     breakingPhase[i] = origin.begin;
     foamShare[i] = origin.share;
+    plungePhase[i] = origin.plunge;
   }
   for (std::size_t ray = 0; ray < sheet.rayCount(); ++ray)
   {
@@ -148,6 +150,7 @@ SurfaceScene::SurfaceScene(
   }
   this->Arrays = { makeArray<vtkDoubleArray>("RayPhase", phase),
     makeArray<vtkDoubleArray>("BreakingPhase", breakingPhase), makeArray<vtkDoubleArray>("FoamShare", foamShare),
+    makeArray<vtkDoubleArray>("PlungePhase", plungePhase),
     makeArray<vtkDoubleArray>("LaunchParameter", launchParameter),
     makeArray<vtkDoubleArray>("WaveHeight", sheet.Height), makeArray<vtkUnsignedCharArray>("RayState", sheet.State) };
   if (settings.groups.any())

@@ -66,7 +66,7 @@ public:
   const SurfaceOptions& options() const { return this->Options; }
   vtkCellArray* triangles() const { return this->Triangles; }
 
-  /** RayPhase, BreakingPhase, FoamShare, LaunchParameter, WaveHeight, RayState, with groups GroupTime, BrokenShare: one
+  /** RayPhase, BreakingPhase, FoamShare, PlungePhase, LaunchParameter, WaveHeight, RayState, with groups GroupTime, BrokenShare: one
    *  entry a point. */
   const std::vector<vtkSmartPointer<vtkDataArray>>& arrays() const { return this->Arrays; }
 

@@ -41,6 +41,13 @@ int vtkSwellFoam::RequestData(vtkInformation*, vtkInformationVector** inputVecto
       foamShare = swellray::requireDoubles(input->GetPointData(), "FoamShare", count);
       places.foamShare = foamShare->GetPointer(0);
     }
+    options.front = swellray::fieldValue(input, "SectionFront").value_or(0.0);
+    vtkSmartPointer<vtkDoubleArray> plungePhase;
+    if (input->GetPointData()->HasArray("PlungePhase"))
+    {
+      plungePhase = swellray::requireDoubles(input->GetPointData(), "PlungePhase", count);
+      places.plungePhase = plungePhase->GetPointer(0);
+    }
     options.groups.waves = swellray::fieldValue(input, "GroupWaves").value_or(0.0);
     vtkSmartPointer<vtkDoubleArray> groupTime;
     vtkSmartPointer<vtkDoubleArray> brokenShare;

@@ -12,7 +12,8 @@
  *
  * Input: vtkPolyData of vtkSwellSurface, moved or still (also read back from a file), with the point arrays RayPhase (rad),
  * BreakingPhase (rad) and LaunchParameter (m) and the field data Period (s), Time (s), SectionVariation (wavelengths), Seed
- * and IncidentWavelength (m); FoamShare where it is there, otherwise 1; of waves in groups also GroupTime (s), BrokenShare, GroupWaves and GroupLull.
+ * and IncidentWavelength (m); FoamShare where it is there, otherwise 1; PlungePhase (rad) and
+ * SectionFront (rad) where they are there, otherwise fronts of waves are clear; of waves in groups also GroupTime (s), BrokenShare, GroupWaves and GroupLull.
  *
  * Output: the input, its arrays shared, with the point array
  * - Foam (float): 0 none, 1 where a wave breaks now; the active scalars

@@ -83,6 +83,7 @@ void vtkSwellSurface::MakeFrame(
   output->SetPoints(points);
   output->SetPolys(scene.triangles());
   swellray::setFieldValue(output, "SectionVariation", frame.section->variation());
+  swellray::setFieldValue(output, "SectionFront", frame.section->frontPhase());
   swellray::setFieldValue(output, "IncidentWavelength", scene.options().wavelength);
 }
 

@@ -29,13 +29,13 @@ class SurfaceScene;
  * - Phase (double, rad): Phi = S - omega t; crests are at 2 pi n
  * - RayPhase (double, rad): S, the phase that was traced, or the straight one; BreakingPhase (double, rad): S where the breaking that the
  *   point lies in, or within a wavelength behind, began, NaN where there is none; FoamShare (double): of its foam that is left
- *   there, 0 to 1; LaunchParameter (double, m): of the ray
+ *   there, 0 to 1; PlungePhase (double, rad): from that S on until the crest has come down; LaunchParameter (double, m): of the ray
  * - WaveHeight (double, m): as traced
  * - GroupTime (double, s), BrokenShare (double), with groups only: as swellray::WaveSurface has them, for their foam
  * - Breaking (unsigned char): 1 where the wave that is there now is broken, no more than half whole again
  * - RayState (unsigned char)
  * - TextureCoordinates (float, 2 components): of the displaced point, metres over TextureSize; the active ones
- * and the field data SectionVariation (double, wavelengths) and IncidentWavelength (double, m).
+ * and the field data SectionVariation (double, wavelengths), SectionFront (double, rad: swellray::WaveSection::frontPhase) and IncidentWavelength (double, m).
  */
 class SWELLRAYFILTERS_EXPORT vtkSwellSurface : public vtkSwellSurfaceAlgorithm
 {

@@ -17,6 +17,7 @@ struct FoamOptions
   double variation = 0.0;  ///< as WaveSection::variation, wavelengths
   double wavelength = 1.0; ///< as SurfaceOptions::wavelength, m
   std::uint64_t seed = 1;  ///< as SurfaceOptions::seed
+  double front = 0.0;      ///< as WaveSection::frontPhase, rad, >= 0
   WaveGroups groups;       ///< as SurfaceOptions::groups
 
   /** @throws std::invalid_argument naming what is out of range */
@@ -32,6 +33,7 @@ struct FoamPlaces
   const double* launchParameter = nullptr; ///< m; null allowed where the variation is 0
   const double* groupTime = nullptr;       ///< as WaveSurface::groupTime; these two: null allowed without groups
   const double* brokenShare = nullptr;     ///< as WaveSurface::brokenShare
+  const double* plungePhase = nullptr;     ///< as FoamOrigin::plunge; null: no foam on the front of waves
   const double* foamShare = nullptr;       ///< as FoamOrigin::share; null allowed: 1 everywhere
 };
 
@@ -40,7 +42,8 @@ struct FoamPlaces
  * the time t_n = (S - 2 pi n)/omega, and is broken there where S has reached its breaking, which the trace gives, and
  * the wave's own delay. Of every such wave there is 1 - (t - t_n)/life, down to 0, within a sixteenth of a wave from where
  * its breaking began only its share of that; the place has the largest. Of a group only waves count that are high enough to
- * break there, share >= brokenShare, from a fiftieth below that on in part. Behind the end of breaking only a share of all
+ * break there, share >= brokenShare, from a fiftieth below that on in part. A wave whose crest has come down has foam on its
+ * front too, as far as `front` ahead of the crest, the last fifth of that thinning out. Behind the end of breaking only a share of all
  * this is left (SurfHistory::foam).
  * @param time t, s
  * @param foam one entry a place, 0 to 1
@@ -51,6 +54,6 @@ void computeFoam(
 
 /** The same of one place; the options are taken as good. */
 double foamAt(double phase, double breakingPhase, double launchParameter, double time, const FoamOptions& options,
-  double groupTime = 0.0, double brokenShare = 1.0);
+  double groupTime = 0.0, double brokenShare = 1.0, double plungePhase = 0.0);
 
 }

@@ -14,8 +14,8 @@ namespace swellray
  * Foam on still water, at places of one's own: nodes of a grid, as Jeschke et al. 2003 (section 3.1) keep it. What does not
  * change in time is found once, so that a frame only asks when waves have passed.
  *
- * A place has the foam that the undisturbed surface has there (SurfaceFunction::foam): the largest of all waves and of all
- * sheets that cross.
+ * A place has the foam that the undisturbed surface has there (SurfaceFunction::foam), but for that on the fronts of waves,
+ * which stand over it: the largest of all waves and of all sheets that cross.
  */
 class StillFoam
 {

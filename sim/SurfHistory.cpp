@@ -223,7 +223,8 @@ void SurfHistory::setProgress(CrestState& crest, double phase, const BreakingPro
 
 FoamOrigin SurfHistory::foam(double phase) const
 {
-  FoamOrigin origin{ std::numeric_limits<double>::quiet_NaN(), 0.0 };
+  const FoamOrigin none{ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 };
+  FoamOrigin origin = none;
   double most = 0.0; // at `since`, where the breaking ended that leaves the most
   double since = 0.0;
   const auto left = [&](double at) { return most * rollerShare((at - since) / ReformingPhase); };
@@ -236,6 +237,7 @@ FoamOrigin SurfHistory::foam(double phase) const
       }
       const bool anew = !(left(stretch.begin) > 0.0);
       origin.begin = anew ? stretch.begin : origin.begin;
+      origin.plunge = anew ? stretch.plungePhase : origin.plunge;
       const double end = this->staysBroken(stretch) ? phase : std::min(phase, stretch.end);
       const double share = anew ? 1.0 : std::min(1.0, (end - stretch.begin) / FoamOnsetPhase);
       if (share >= left(end))
@@ -246,11 +248,7 @@ FoamOrigin SurfHistory::foam(double phase) const
       return true;
     });
   origin.share = left(phase);
-  if (!(origin.share > 0.0))
-  {
-    origin = { std::numeric_limits<double>::quiet_NaN(), 0.0 };
-  }
-  return origin;
+  return origin.share > 0.0 ? origin : none;
 }
 
 CrestState SurfHistory::crest(double phase, double delay) const

@@ -44,8 +44,9 @@ struct BreakingProgress
 /** What foam owes to the breaking at or before a phase of a ray. */
 struct FoamOrigin
 {
-  double begin = 0.0; ///< phase S where breaking began; NaN where it is over
-  double share = 0.0; ///< of foam that is left of it, 0 to 1
+  double begin = 0.0;  ///< phase S where breaking began; NaN where it is over
+  double share = 0.0;  ///< of foam that is left of it, 0 to 1
+  double plunge = 0.0; ///< phase from there until the crest has come down, rad
 };
 
 /** Phase over which a wave that has stopped breaking takes the shape of a whole one: a wavelength, rad. */

@@ -119,6 +119,7 @@ SheetPlace SurfaceFunction::placeOn(const SheetCover& cover, const glm::dvec2& p
     found.weight[c] = w;
     found.breakingPhase[c] = this->Foam[i].begin;
     found.foamShare[c] = this->Foam[i].share;
+    found.plungePhase[c] = this->Foam[i].plunge;
     found.launchParameter[c] = sheet.LaunchParameter[this->RayOf[i]];
   }
   const double size = glm::length(toward);
@@ -228,13 +229,14 @@ double SurfaceFunction::foam(const SheetPlace& place, double time, const Surface
   foam.wavelength = options.wavelength;
   foam.seed = options.seed;
   foam.variation = motion.section->variation();
+  foam.front = motion.section->frontPhase();
   foam.groups = options.groups;
   double sum = 0.0;
   for (std::size_t c = 0; c < 3; ++c)
   {
     sum += place.weight[c] * place.foamShare[c] *
-      foamAt(
-        place.phase, place.breakingPhase[c], place.launchParameter[c], time, foam, place.groupTime, place.brokenShare);
+      foamAt(place.phase, place.breakingPhase[c], place.launchParameter[c], time, foam, place.groupTime,
+        place.brokenShare, place.plungePhase[c]);
   }
   return sum;
 }

@@ -27,6 +27,7 @@ struct SheetPlace
   std::array<double, 3> weight{};          ///< of these
   std::array<double, 3> breakingPhase{};   ///< of the corners, rad, as FoamOrigin; NaN where there is none
   std::array<double, 3> foamShare{};       ///< of the corners, as FoamOrigin
+  std::array<double, 3> plungePhase{};     ///< of the corners, as FoamOrigin, rad
   std::array<double, 3> launchParameter{}; ///< m
 };
 

@@ -14,6 +14,8 @@ namespace swellray
  */
 struct HumpLayout
 {
+  static constexpr double LeastShare = 0.7;
+
   double share = 1.0; ///< of the points on the hump
   double width = 0.0; ///< m
   double half = 0.0;  ///< m, half a wavelength
@@ -22,10 +24,9 @@ struct HumpLayout
   HumpLayout(double wanted, double wavenumber)
     : half(Pi / wavenumber)
   {
-    constexpr double least = 0.7;
     constexpr double widest = 0.999;
     this->width = std::min(wanted, 2.0 * widest * this->half);
-    this->share = std::max(least, 0.5 * this->width / this->half);
+    this->share = std::max(LeastShare, 0.5 * this->width / this->half);
   }
 
   bool onHump(double phase) const { return std::abs(phase) < this->share * Pi; }

@@ -56,6 +56,7 @@ public:
 
   double pointsPerWave() const override { return 48.0; }
   double variation() const override { return this->Variation; }
+  double frontPhase() const override { return HumpLayout::LeastShare * Pi; }
 
   /** Constants of the three phases at t in [0, 1]. */
   static Shape round(double t);

@@ -53,6 +53,11 @@ double VortexSection::lengthToWidth(double slope)
   return slope > 0.0 ? std::clamp(vortexRatioLine(slope), SmallestRatio, LargestRatio) : LargestRatio;
 }
 
+double VortexSection::frontPhase() const
+{
+  return FrontEnd;
+}
+
 VortexSection::Part VortexSection::part(double phase)
 {
   if (phase < BackBegin || phase > FrontEnd)

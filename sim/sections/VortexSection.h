@@ -74,6 +74,7 @@ public:
 
   double pointsPerWave() const override { return 48.0; }
   double variation() const override { return this->Values.variation; }
+  double frontPhase() const override; // all of the FRONT
 
   /** Length over width of a vortex on a bed of this slope, 1.73 to 4.43. */
   static double lengthToWidth(double slope);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/Angles.h"
 #include "sim/BuiltinSeafloor.h"
 
 #include <cstddef>
@@ -21,12 +22,13 @@ struct CrestState
   double plunge = 0.0;     ///< way since breaking began over the way that a plunging crest takes to fall (Galvin 1969):
                            ///< 0 where it is not broken, 1 where the crest has come down
   double plungeHeight = 0.0; ///< H where the crest came down, m; used where plunge > 1
-  double roller = 1.0; ///< share of the broken wave's shape that is left, 0 to 1: 1 while it breaks, less where the wave
-                       ///< forms again behind a bar; used where plunge > 0
+  double roller =
+    1.0; ///< share of the broken wave's shape that is left, 0 to 1: 1 while it breaks, less where the wave
+         ///< forms again behind a bar; used where plunge > 0
 
   /** True where the wave is broken, and no more than half whole again. */
   bool isBroken() const { return this->plunge > 0.0 && this->roller >= 0.5; }
-  double slope = 0.0;        ///< of the bed along the ray, tan(beta), positive where it rises forward
+  double slope = 0.0; ///< of the bed along the ray, tan(beta), positive where it rises forward
 };
 
 /** Undisturbed places along a ray that belong to one wave: plain arrays with one entry a place. */
@@ -90,6 +92,9 @@ public:
 
   /** Largest delay of the breaking of single waves, in wavelengths, >= 0: no two break at quite the same place. */
   virtual double variation() const { return 0.0; }
+
+  /** Phase ahead of the crest up to which a wave is white that has come down: its front, rad, >= 0. */
+  virtual double frontPhase() const { return 0.25 * Pi; }
 
   /** False where places move up and down only: one height a place. */
   virtual bool movesAlong() const { return true; }

@@ -24,6 +24,7 @@ public:
       const FoamOrigin origin = this->surface().foamOrigin(i);
       this->BreakingPhase.push_back(origin.begin);
       this->FoamShare.push_back(origin.share);
+      this->PlungePhase.push_back(origin.plunge);
     }
     this->Parameter.assign(points, 0.0);
     this->Position.resize(3 * points);
@@ -47,9 +48,10 @@ public:
     FoamOptions foam;
     foam.period = this->Traced.options().period;
     foam.variation = section.variation();
+    foam.front = section.frontPhase();
     foam.wavelength = this->Traced.options().wavelength;
     computeFoam({ this->points(), this->Traced.sheet().Phase.data(), this->BreakingPhase.data(), this->Parameter.data(),
-                  nullptr, nullptr, this->FoamShare.data() },
+                  nullptr, nullptr, this->PlungePhase.data(), this->FoamShare.data() },
       time, foam, this->Foam.data());
     benchmark::DoNotOptimize(this->Position.data());
     benchmark::DoNotOptimize(this->Foam.data());
@@ -66,7 +68,7 @@ private:
   }
 
   TracedSurface Traced;
-  std::vector<double> BreakingPhase, FoamShare, Parameter, Position, Depth;
+  std::vector<double> BreakingPhase, FoamShare, PlungePhase, Parameter, Position, Depth;
   std::vector<float> Normal, Foam;
 };
 

@@ -67,6 +67,40 @@ TEST(Foam, beginsWhereTheTraceSaysThatBreakingBegins)
   EXPECT_NEAR(foamAt(20.0, 20.0 - Pi / 8.0, time, options()), 1.0, 1e-3);
 }
 
+TEST(Foam, coversTheFrontOfAWaveWhoseCrestHasComeDown)
+{
+  FoamOptions with = options();
+  with.front = 1.0;
+  // A place that no wave has passed for longer than foam lives: the crest of wave 0 is `ahead` of it.
+  const auto at = [&](double broken, double ahead, double plunge)
+  {
+    const double phase = 20.0;
+    const double breakingPhase = phase - broken;
+    const double time = (phase - ahead) / (2.0 * Pi) * 10.0;
+    float foam = -1.0f;
+    FoamPlaces places{ 1, &phase, &breakingPhase };
+    places.plungePhase = &plunge;
+    computeFoam(places, time, with, &foam);
+    return foam;
+  };
+  // 1.2 rad ahead of the next crest the foam of the last is (2 pi - 1.2)/(2 pi) 10 s = 8.09 s old.
+  EXPECT_EQ(at(9.0, 1.2, 2.0), 0.0f);
+  EXPECT_NEAR(at(9.0, 0.5, 2.0), 1.0, FloatTolerance);
+  EXPECT_NEAR(at(9.0, 0.9, 2.0), 0.5, FloatTolerance);
+  EXPECT_NEAR(at(9.0, 1e-6, 2.0), 1.0, FloatTolerance);
+  // A lip that falls is clear: only what earlier waves have left is there.
+  const double old = 1.0 - (2.0 * Pi - 0.5) / (2.0 * Pi) * 10.0 / 8.0;
+  EXPECT_NEAR(at(2.4, 0.5, 2.0), std::max(0.0, old), FloatTolerance);
+  EXPECT_GT(at(2.7, 0.5, 2.0), 0.4);
+  // It thins out within the front, without a step.
+  for (double ahead = 0.0; ahead < 1.2; ahead += 0.001)
+  {
+    EXPECT_LT(std::abs(at(9.0, ahead + 0.001, 2.0) - at(9.0, ahead, 2.0)), 0.0051) << ahead;
+  }
+  with.front = 7.0;
+  EXPECT_THROW(with.validate(), std::invalid_argument);
+}
+
 TEST(Foam, countsEarlierWavesWhereTheLatestHasNotBrokenYet)
 {
   FoamOptions varied = options(40.0);

@@ -89,7 +89,15 @@ TEST(StillFoam, isThatOfTheUndisturbedSurface)
       std::vector<SheetPlace> sheets;
       surf.Function.cover(places[i], sheets);
       ASSERT_EQ(sheets.size(), 1u);
-      EXPECT_NEAR(foam[i], surf.Function.foam(sheets[0], time, motion), FloatTolerance);
+      const double ofSurface = surf.Function.foam(sheets[0], time, motion);
+      const double toPass = std::fmod(passage(places[i].x) - time, Period);
+      if ((toPass < 0.0 ? toPass + Period : toPass) < section->frontPhase() / (2.0 * Pi) * Period)
+      {
+        // The front of a wave is over it.
+        EXPECT_LE(foam[i], ofSurface + FloatTolerance);
+        continue;
+      }
+      EXPECT_NEAR(foam[i], ofSurface, FloatTolerance);
       some += foam[i] > 0.0f ? 1 : 0;
     }
     EXPECT_GT(some, 100);

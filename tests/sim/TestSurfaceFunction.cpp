@@ -175,12 +175,14 @@ TEST(SurfaceFunction, hasTheFoamAndTheBreakingOfTheMesh)
   FoamOptions foam;
   foam.period = Period;
   foam.wavelength = Wavelength;
+  foam.front = section->frontPhase();
   int foamy = 0;
   for (std::size_t i = 0; i < surface.Sheet.pointCount(); ++i)
   {
     const glm::dvec2 place(surface.Position[3 * i], surface.Position[3 * i + 1]);
     const SurfaceValue value = function.at(place, 2.0, motionOf(*section));
-    const double expected = foamAt(surface.Sheet.Phase[i], surface.Moved->foamOrigin(i).begin, 0.0, 2.0, foam);
+    const FoamOrigin origin = surface.Moved->foamOrigin(i);
+    const double expected = foamAt(surface.Sheet.Phase[i], origin.begin, 0.0, 2.0, foam, 0.0, 1.0, origin.plunge);
     ASSERT_NEAR(value.foam, expected, 1e-5);
     ASSERT_EQ(value.breaking, surface.Broken[i] != 0);
     foamy += value.foam > 0.0 ? 1 : 0;
