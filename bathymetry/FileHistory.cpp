@@ -3,6 +3,7 @@
 #include "bathymetry/QuietGdal.h"
 
 #include <gdal_priv.h>
+#include <ogrsf_frmts.h>
 
 #include <memory>
 #include <stdexcept>
@@ -26,6 +27,14 @@ std::string readHistory(const std::string& path)
     {
       return history;
     }
+  }
+  // Of GeoJSON the description of its layer: who made it, and how.
+  OGRLayer* layer = dataset->GetLayerCount() > 0 ? dataset->GetLayer(0) : nullptr;
+  if (const char* described = layer ? layer->GetMetadataItem("DESCRIPTION") : nullptr)
+  {
+    const std::string text = described;
+    const auto at = text.find(": ");
+    return at == std::string::npos ? text : text.substr(at + 2);
   }
   return {};
 }

@@ -6,7 +6,7 @@ namespace swellray
 {
 
 /**
- * The command line that is kept in a file of MapWriter or LineWriter: a GeoTIFF, NetCDF or GeoPackage. Empty where there
+ * The command line that is kept in a file of MapWriter or LineWriter: a GeoTIFF, NetCDF, GeoPackage or GeoJSON. Empty where there
  * is none.
  * @throws std::runtime_error a file that GDAL cannot read
  */

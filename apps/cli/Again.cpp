@@ -4,11 +4,13 @@
 #include "FieldValues.h"
 #include "FilterRun.h"
 #include "OptionKinds.h"
+#include "PictureSeries.h"
 #include "ShellWords.h"
 
 #include "bathymetry/FileHistory.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <vtkDataObject.h>
 #include <vtkNew.h>
@@ -18,6 +20,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -69,6 +72,48 @@ Record readVtkFile(const std::string& path, Console& console)
   return { fieldText(data, "CommandLine"), fieldText(data, "SwellrayVersion") };
 }
 
+// From the JSON that a scene holds: whole in .gltf, between these marks in a page.
+std::string sceneCommand(const std::string& path, bool page)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::string text{ std::istreambuf_iterator<char>(in), {} };
+  if (page)
+  {
+    const std::string mark = "id=\"header\">";
+    const auto begin = text.find(mark);
+    const auto end = text.find("</script>", begin);
+    text = begin == std::string::npos || end == std::string::npos
+      ? std::string()
+      : text.substr(begin + mark.size(), end - begin - mark.size());
+  }
+  try
+  {
+    const auto scene = nlohmann::json::parse(text);
+    return page ? scene.at("commandLine").get<std::string>()
+                : scene.at("asset").at("extras").at("CommandLine").get<std::string>();
+  }
+  catch (const nlohmann::json::exception&)
+  {
+    return {};
+  }
+}
+
+// SWAN's spectra say who made them in a comment at their beginning.
+std::string spectraCommand(const std::string& path)
+{
+  std::ifstream in(path);
+  std::string line;
+  for (int i = 0; i < 10 && std::getline(in, line); ++i)
+  {
+    const auto at = line.find(": swellray ");
+    if (line.rfind('$', 0) == 0 && at != std::string::npos)
+    {
+      return line.substr(at + 2);
+    }
+  }
+  return {};
+}
+
 Record readRecord(const std::string& path, Console& console)
 {
   if (!std::ifstream(path).good())
@@ -83,6 +128,23 @@ Record readRecord(const std::string& path, Console& console)
   if (ending == ".vtp" || ending == ".vti")
   {
     return readVtkFile(path, console);
+  }
+  if (ending == ".png")
+  {
+    return { pictureCommand(path), {} };
+  }
+  if (ending == ".gltf" || ending == ".html")
+  {
+    return { sceneCommand(path, ending == ".html"), {} };
+  }
+  if (ending == ".sp2")
+  {
+    return { spectraCommand(path), {} };
+  }
+  if (ending == ".csv" || ending == ".jpg" || ending == ".ogv")
+  {
+    throw WorkError(fmt::format(
+      "'{}' does not say how it was made, as {} files cannot: take another output of the call", path, ending));
   }
   try
   {
@@ -104,8 +166,9 @@ void moveOutputs(Request& request, const std::string& folder)
     throw WorkError(fmt::format("cannot make the folder '{}': {}", folder, error.message()));
   }
   SeaRequest& sea = request.sea;
-  for (std::string* path : { &output.file, &output.crests, &output.breakerLine, &output.map, &output.table,
-         &output.spectra, &output.elevations, &sea.heightImage, &sea.normalImage, &sea.picture })
+  for (std::string* path :
+    { &output.file, &output.crests, &output.breakerLine, &output.spray, &output.foam, &output.scene, &output.map,
+      &output.table, &output.spectra, &output.elevations, &sea.heightImage, &sea.normalImage, &sea.picture })
   {
     if (!path->empty())
     {
@@ -164,7 +227,8 @@ CommandSpec againSpec(Request& request)
 {
   CommandSpec spec{ "again", "make an output again, by the command line that it carries", false, {}, {} };
   AgainRequest& again = request.again;
-  spec.file = { "FILE", "an output: .vtp, .vti, .pvd, .nc, .tif, .gpkg", &again.file };
+  spec.file = { "FILE", "an output: .vtp, .vti, .pvd, .nc, .tif, .gpkg, .geojson, .sp2, .png, .html, .gltf",
+    &again.file };
   spec.options = { text("--into", "FOLDER", "write the outputs into this folder, under the names they had",
                      "where they were written", "Output", again.folder),
     flag("--show", "only print the command line", "Output", again.show) };

@@ -6,9 +6,7 @@
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
 #include <vtkImageShrink3D.h>
-#include <vtkJPEGWriter.h>
 #include <vtkNew.h>
-#include <vtkPNGWriter.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkWindowToImageFilter.h>
@@ -108,7 +106,7 @@ ChartLayout layOutChart(const std::optional<std::array<int, 2>>& size, double as
   return layout;
 }
 
-bool drawChart(const ChartContent& content, const ChartLayout& layout, const std::string& path, bool jpeg)
+vtkSmartPointer<vtkImageData> drawChart(const ChartContent& content, const ChartLayout& layout)
 {
   const int factor = std::max(layout.width, layout.height) <= LargestOversampled ? Oversampling : 1;
   vtkNew<ChartItem> item;
@@ -137,21 +135,8 @@ bool drawChart(const ChartContent& content, const ChartLayout& layout, const std
   shrink->SetShrinkFactors(factor, factor, 1);
   shrink->MeanOn();
 
-  vtkSmartPointer<vtkImageWriter> writer;
-  if (jpeg)
-  {
-    vtkNew<vtkJPEGWriter> jpegWriter;
-    jpegWriter->SetQuality(95);
-    writer = jpegWriter;
-  }
-  else
-  {
-    writer = vtkSmartPointer<vtkPNGWriter>::New();
-  }
-  writer->SetInputConnection(shrink->GetOutputPort());
-  writer->SetFileName(path.c_str());
-  writer->Write();
-  return writer->GetErrorCode() == 0;
+  shrink->Update();
+  return shrink->GetOutput();
 }
 
 }

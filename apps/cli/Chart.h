@@ -3,6 +3,8 @@
 #include "apps/drawing/ColorMap.h"
 #include "sim/Obstacles.h"
 
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <optional>
 #include <string>
@@ -65,13 +67,7 @@ struct ChartLayout
  */
 ChartLayout layOutChart(const std::optional<std::array<int, 2>>& size, double aspect);
 
-/**
- * Draw a chart.
- * @param path file to write
- * @param jpeg JPEG instead of PNG
- * @throws WorkError where there is no display
- * @return false where the file could not be written
- */
-bool drawChart(const ChartContent& content, const ChartLayout& layout, const std::string& path, bool jpeg);
+/** Draw a chart: red, green, blue, unsigned char, the lower row first. @throws WorkError where there is no display */
+vtkSmartPointer<vtkImageData> drawChart(const ChartContent& content, const ChartLayout& layout);
 
 }

@@ -1,5 +1,6 @@
 #include "PictureSeries.h"
 
+#include "Failure.h"
 #include "OutputFile.h"
 
 #include <fmt/format.h>
@@ -102,6 +103,18 @@ void writePicture(vtkImageData* picture, const PictureOrigin& origin, const Outp
   {
     file.fail("the picture could not be stored");
   }
+}
+
+std::string pictureCommand(const std::string& path)
+{
+  vtkNew<vtkPNGReader> reader;
+  if (!reader->CanReadFile(path.c_str()))
+  {
+    throw WorkError(fmt::format("cannot read '{}': it is no .png picture, or damaged", path));
+  }
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  return textOf(reader, CommandKey);
 }
 
 bool isPictureOf(const std::string& path, const PictureOrigin& origin)

@@ -26,6 +26,9 @@ struct PictureOrigin
 /** Store a picture, .png or .jpg by the name of the file. @throws WorkError */
 void writePicture(vtkImageData* picture, const PictureOrigin& origin, const OutputFile& file);
 
+/** The call that a picture was made by; empty where it does not say, as a .jpg cannot. @throws WorkError not a .png */
+std::string pictureCommand(const std::string& path);
+
 /** True where the file is a whole picture of this origin. */
 bool isPictureOf(const std::string& path, const PictureOrigin& origin);
 

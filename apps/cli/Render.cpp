@@ -339,11 +339,7 @@ void runRender(const Request& request, Console& console)
   double bounds[6];
   seafloor->GetBounds(bounds);
   const ChartLayout layout = layOutChart(request.render.size, (bounds[3] - bounds[2]) / (bounds[1] - bounds[0]));
-  const bool jpeg = std::filesystem::path(request.output.file).extension() == ".jpg";
-  if (!drawChart(content, layout, file.temporary(), jpeg))
-  {
-    file.fail("the picture could not be stored");
-  }
+  writePicture(drawChart(content, layout), { request.commandLine, 0.0 }, file);
   file.commit();
   console.say(fmt::format("wrote {}, {} x {} pixels", file.path(), layout.width, layout.height));
 }

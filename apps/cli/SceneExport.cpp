@@ -144,7 +144,7 @@ void exportScene(const Request& request, Pipeline& pipeline, const scene::SceneC
       writePage(request, pipeline, content, title, console, file);
       return;
     }
-    scene::GltfScene scene(content, title, request.rays.wave.period);
+    scene::GltfScene scene(content, title, request.rays.wave.period, request.commandLine);
     scene.setRays(pipeline.computeHeights());
     const double time = request.render.time.value_or(0.0);
     addFrames(

@@ -160,12 +160,12 @@ void runSea(const Request& request, Console& console)
     if (heights)
     {
       const double range = 0.25 * ImageRange * fieldNumber(sea->GetOutput(), "SignificantWaveHeight").value_or(1.0);
-      writeHeightImage(image, range, *heights);
+      writeHeightImage(image, range, request, *heights);
       console.say(fmt::format("heights  {:.6g} to {:.6g} m from black to white", -range, range));
     }
     if (normals)
     {
-      writeNormalImage(image, *normals);
+      writeNormalImage(image, request, *normals);
     }
     if (picture)
     {

@@ -34,7 +34,7 @@ namespace swellray::cli
 namespace
 {
 
-void write(vtkImageData* image, const OutputFile& file, const std::string& about)
+void write(vtkImageData* image, const OutputFile& file, const std::string& about, const Request& request)
 {
   vtkSmartPointer<vtkImageWriter> writer;
   if (std::filesystem::path(file.path()).extension() == ".png")
@@ -42,6 +42,7 @@ void write(vtkImageData* image, const OutputFile& file, const std::string& about
     auto png = vtkSmartPointer<vtkPNGWriter>::New();
     png->AddText("Software", "Swellray " SWELLRAY_VERSION);
     png->AddText("Description", about.c_str());
+    png->AddText("CommandLine", request.commandLine.c_str());
     writer = png;
   }
   else
@@ -94,12 +95,12 @@ glm::dvec3 skyLight(const glm::dvec3& direction, const glm::dvec3& sun)
 
 }
 
-void writeHeightImage(vtkImageData* image, double range, const OutputFile& file)
+void writeHeightImage(vtkImageData* image, double range, const Request& request, const OutputFile& file)
 {
   auto* heights = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("SurfaceHeight"));
   if (std::filesystem::path(file.path()).extension() != ".png")
   {
-    write(likeImage(image, heights), file, "");
+    write(likeImage(image, heights), file, "", request);
     return;
   }
   vtkNew<vtkUnsignedShortArray> levels;
@@ -109,10 +110,10 @@ void writeHeightImage(vtkImageData* image, double range, const OutputFile& file)
     const double share = 0.5 + 0.5 * static_cast<double>(heights->GetValue(i)) / range;
     levels->SetValue(i, static_cast<unsigned short>(std::lround(65535.0 * std::clamp(share, 0.0, 1.0))));
   }
-  write(likeImage(image, levels), file, fmt::format("heights from {:g} to {:g} m", -range, range));
+  write(likeImage(image, levels), file, fmt::format("heights from {:g} to {:g} m", -range, range), request);
 }
 
-void writeNormalImage(vtkImageData* image, const OutputFile& file)
+void writeNormalImage(vtkImageData* image, const Request& request, const OutputFile& file)
 {
   auto* normals = vtkFloatArray::SafeDownCast(image->GetPointData()->GetArray("Normals"));
   vtkNew<vtkUnsignedCharArray> colours;
@@ -122,7 +123,7 @@ void writeNormalImage(vtkImageData* image, const OutputFile& file)
   {
     colours->SetValue(i, byteOf(0.5 + 0.5 * static_cast<double>(normals->GetValue(i))));
   }
-  write(likeImage(image, colours), file, "normals: x, y and z from -1 to 1");
+  write(likeImage(image, colours), file, "normals: x, y and z from -1 to 1", request);
 }
 
 void writeSeaPicture(vtkSwellSeaFunction* sea, const Request& request, const OutputFile& file, Console& console)
@@ -195,7 +196,7 @@ void writeSeaPicture(vtkSwellSeaFunction* sea, const Request& request, const Out
   vtkNew<vtkImageData> image;
   image->SetDimensions(width, height, 1);
   image->GetPointData()->SetScalars(colours);
-  write(image, file, "a sea by ray marching");
+  write(image, file, "a sea by ray marching", request);
 }
 
 }

@@ -15,10 +15,10 @@ struct Request;
  * @param range m, > 0
  * @throws WorkError
  */
-void writeHeightImage(vtkImageData* image, double range, const OutputFile& file);
+void writeHeightImage(vtkImageData* image, double range, const Request& request, const OutputFile& file);
 
 /** Normals as an image of 8 bits a colour, (n + 1)/2 each; x, y, z are red, green, blue. @throws WorkError */
-void writeNormalImage(vtkImageData* image, const OutputFile& file);
+void writeNormalImage(vtkImageData* image, const Request& request, const OutputFile& file);
 
 /**
  * Picture of the sea from above its surface, by ray marching its implicit function: sky and sun reflected by Fresnel's law,

@@ -141,10 +141,12 @@ std::vector<std::size_t> nodesOfMeshes(const nlohmann::json& gltf)
 
 }
 
-GltfScene::GltfScene(const SceneContent& content, const std::string& title, double period)
+GltfScene::GltfScene(
+  const SceneContent& content, const std::string& title, double period, const std::string& commandLine)
   : Content(content)
   , Title(title)
   , Period(period)
+  , CommandLine(commandLine)
 {
 }
 
@@ -211,6 +213,10 @@ void GltfScene::complete(const std::string& path, const std::vector<std::string>
     }
     gltf.at("scenes").at(0)["name"] = this->Title;
     gltf["asset"]["generator"] = "Swellray";
+    if (!this->CommandLine.empty())
+    {
+      gltf["asset"]["extras"]["CommandLine"] = this->CommandLine;
+    }
     if (this->Frames.size() > 1)
     {
       this->animate(gltf, nodes);

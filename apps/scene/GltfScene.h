@@ -22,8 +22,11 @@ namespace swellray::scene
 class GltfScene
 {
 public:
-  /** @param period of the waves, s */
-  GltfScene(const SceneContent& content, const std::string& title, double period);
+  /**
+   * @param period of the waves, s
+   * @param commandLine kept with the scene: asset.extras.CommandLine
+   */
+  GltfScene(const SceneContent& content, const std::string& title, double period, const std::string& commandLine = {});
 
   /** Show these rays (vtkSwellRayTracer), as rayLines() has them. */
   void setRays(vtkPolyData* rays);
@@ -54,6 +57,7 @@ private:
   SceneContent Content;
   std::string Title;
   double Period;
+  std::string CommandLine;
   vtkSmartPointer<vtkPolyData> Sea;
   vtkSmartPointer<vtkPolyData> Rays;
   std::vector<Frame> Frames;

@@ -23,3 +23,23 @@ swellray_cli_test(again_damaged 1 "" "damaged.vtp': it is no VTK file, or damage
 swellray_cli_test(again_no_record 1 "" "beach.asc' does not say how it was made" "$SWELLRAY again $IN/beach.asc")
 swellray_cli_test(again_gone 1 "" "seafloor 'b.asc': no such file"
   "cp $IN/beach.asc b.asc && $SWELLRAY contour b.asc --interval 5 -o c.vtp --quiet && rm b.asc && $SWELLRAY again c.vtp --quiet")
+# Pictures, scenes and spectra say how they were made, too.
+set(picture "bay --period 3 --direction 90 --height 0.4")
+swellray_cli_test(again_chart 0 "^swellray render bay --size 500x400 -o p.png --quiet\nsame\n$" ""
+  "$SWELLRAY render bay --size 500x400 -o p.png --quiet && $SWELLRAY again p.png --show && $SWELLRAY again p.png --into new --quiet && cmp p.png new/p.png && echo same")
+swellray_cli_test(again_gltf 0 "^swellray render ${picture} --quiet --export s.gltf\nsame\n$" ""
+  "$SWELLRAY render ${picture} --quiet --export s.gltf && $SWELLRAY again s.gltf --show && $SWELLRAY again s.gltf --into new --quiet && cmp s.gltf new/s.gltf && echo same")
+swellray_cli_test(again_page 0 "^swellray render ${picture} --quiet --title '<a> & b' --export s.html\n$" ""
+  "echo 'var vtk;' > v.js; SWELLRAY_VTKJS=v.js $SWELLRAY render ${picture} --quiet --title '<a> & b' --export s.html && $SWELLRAY again s.html --show")
+swellray_cli_test(again_spectra 0 "^swellray spectrum bay .*--spectra s.sp2 --quiet\nsame\n$" ""
+  "echo 'x,y\n20,0' > p.csv; $SWELLRAY spectrum bay --hs 0.4 --tp 3 --direction 90 --frequencies 2 --directions 8 --stations p.csv --spectra s.sp2 --quiet && $SWELLRAY again s.sp2 --show && $SWELLRAY again s.sp2 --into new --quiet && cmp s.sp2 new/s.sp2 && echo same")
+swellray_cli_test(again_sea_image 0 "^swellray sea --hs 1 --tp 5 --direction 240 --pixels 32 --normal-map n.png --quiet\n$" ""
+  "$SWELLRAY sea --hs 1 --tp 5 --direction 240 --pixels 32 --normal-map n.png --quiet && $SWELLRAY again n.png --show")
+swellray_cli_test(again_geojson 0 "^swellray contour g.asc --crs EPSG:32631 --interval 5 -o c.geojson --quiet\n$" ""
+  "sed 's/llcorner 0/llcorner 500000/' $IN/beach.asc > g.asc; $SWELLRAY contour g.asc --crs EPSG:32631 --interval 5 -o c.geojson --quiet && $SWELLRAY again c.geojson --show")
+swellray_cli_test(again_every_output 0 "^o.vtp\nspray.vtp\n$" ""
+  "$SWELLRAY surface ${picture} -o o.vtp --spray spray.vtp --quiet && mv spray.vtp old && $SWELLRAY again o.vtp --into new --quiet && test ! -e spray.vtp && ls new")
+swellray_cli_test(again_table 1 "" "'t.csv' does not say how it was made, as .csv files cannot: take another output"
+  "echo 'x,y' > t.csv; $SWELLRAY again t.csv")
+swellray_cli_test(again_no_picture 1 "" "'p.png': it is no .png picture" "echo text > p.png; $SWELLRAY again p.png")
+swellray_cli_test(again_no_scene 1 "" "'s.html' does not say how it was made" "echo text > s.html; $SWELLRAY again s.html")
