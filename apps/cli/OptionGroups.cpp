@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -165,17 +166,16 @@ OptionSpec frictionOption(HeightOptions& height, const char* group)
     false, {} };
   spec.set = [&height](const std::string& typed)
   {
-    const std::string word = "laminar";
-    const bool laminar = typed.compare(0, word.size(), word) == 0;
+    const std::string word = typed.substr(0, typed.find(':'));
+    const bool laminar = word == "laminar";
+    if (!laminar && !word.empty() && std::isalpha(static_cast<unsigned char>(word.front())))
+    {
+      throw UsageError(fmt::format("--friction must be a number of 0 or more, laminar or laminar:NU, not '{}'", typed));
+    }
     height.friction = laminar ? 0.0 : parseNumber("--friction", typed, NonNegativeNumber);
     height.viscosity = laminar ? WaterViscosity : 0.0;
     if (laminar && typed != word)
     {
-      if (typed[word.size()] != ':')
-      {
-        throw UsageError(
-          fmt::format("--friction must be a number of 0 or more, laminar or laminar:NU, not '{}'", typed));
-      }
       height.viscosity = parseNumber("--friction laminar", typed.substr(word.size() + 1), PositiveNumber);
     }
   };
