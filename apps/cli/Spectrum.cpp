@@ -512,8 +512,8 @@ CommandSpec spectrumSpec(Request& request)
           { "none", BreakingRule::None } }),
       number("--gamma", "G", "largest Hs over depth; battjes-janssen, baldock: breaker index",
         "0.6; battjes-janssen: by the steepness; baldock: by the kh of each place", group, sea.gamma, PositiveNumber),
-      number("--friction", "C", "bottom friction coefficient, m2/s3 (0.038: swell over sand)", "0", group, sea.friction,
-        NonNegativeNumber) });
+      number("--friction", "C", "bottom friction coefficient, m2/s3 (0.038: swell over sand; 0.067: storm sea)", "0",
+        group, sea.friction, NonNegativeNumber) });
   add(spec.options, seafloorOptions(request.seafloor.options));
   allowLists(spec.options, { "--hs", "--tp", "--direction", "--spread", "--wind", "--water-level" });
   spec.examples =

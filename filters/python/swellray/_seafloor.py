@@ -301,7 +301,7 @@ class Seafloor(Map):
         breaking: "none", "gamma", "battjes-janssen" or "baldock"
         gamma: largest Hs over depth, default 0.6; with battjes-janssen and baldock breaker index, default by the
             steepness and by the kh of each place
-        friction: bottom friction coefficient, m2/s3 (0.038: swell over sand); default 0
+        friction: bottom friction coefficient, m2/s3 (0.038: swell over sand; 0.067: storm sea); default 0
 
         elevation_series: also the surface elevation in time at the stations, by random phases: the result has `.elevations`, m, a row a
             station (NaN where it is dry), and `.times`, s
