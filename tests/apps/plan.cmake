@@ -23,6 +23,13 @@ swellray_cli_test(dry_run_spectrum 0 "plan     about 7,500 rays in about [0-9,]+
   "$SWELLRAY spectrum vincent-briggs --hs 0.0254 --tp 1.3 --direction 270 --map-spacing 2 --map m.vti --frequencies 4 --directions 12 --dry-run && ls -A | wc -l")
 swellray_cli_test(dry_run_spectrum_list 2 "" "--dry-run plans one sea" "$SWELLRAY spectrum plane --hs 1 --tp 8,9 --direction 90 --map m.vti --dry-run")
 
+# On a terminal long work tells how much of it is done and, after a moment, the time that is left.
+find_program(SWELLRAY_SCRIPT script)
+if(SWELLRAY_SCRIPT)
+  swellray_cli_test(progress 0 "tracing    .#+ +. +[0-9]+ %, about [0-9.]+ s left *[\r]" ""
+    "'${SWELLRAY_SCRIPT}' -qec \"$SWELLRAY trace '${lee}' --period 4 --direction 270 --height 0.5 --spacing 0.004 --threads 1 -o r.vtp\" /dev/null")
+endif()
+
 # A surface in time, without its spray.
 set(surface "$SWELLRAY surface babbage --period 6 --direction 15 --height 0.8")
 swellray_cli_test(dry_run_surface 0 "surface  about [0-9,]+ points, about [0-9.e-]+ GB of memory, in each of 11 frames; about [0-9.e-]+ s for all.*\n0\n$" ""
