@@ -116,7 +116,7 @@ int vtkSwellWaveHeight::RequestData(
     const auto krTube = swellray::requireDoubles(in, "KrTube", points);
     const auto state = swellray::requireBytes(in, "RayState", points);
     const auto phase = swellray::requireDoubles(in, "Phase", points);
-    const swellray::RayCaustics caustics = swellray::causticsOf(input);
+    swellray::RayCaustics caustics = swellray::causticsOf(input);
     const auto parent = rays > 0
       ? swellray::requireIntegers(input->GetCellData(), "ParentRay", static_cast<vtkIdType>(rays))
       : vtkSmartPointer<vtkIntArray>::New();
@@ -180,6 +180,8 @@ int vtkSwellWaveHeight::RequestData(
       touching.launchParameter = parameter->GetPointer(0);
       touching.launchSegment = segment->GetPointer(0);
       touching.lee = lee->GetPointer(0);
+      caustics.caustics = swellray::loneCausticRates(touching);
+      touching.caustics = caustics.caustics.data();
       beside = swellray::foldsBeside(touching, swellray::makeExecution(this, 0.0, 0.1));
     }
 

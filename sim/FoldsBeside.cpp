@@ -39,6 +39,41 @@ double tubeWidth(const TouchingRays& rays, std::size_t point)
   return 1.0 / square(rays.krTube[point]);
 }
 
+// Rays in the order of their launch, those in the lee left out.
+std::vector<std::size_t> inOrder(const TouchingRays& rays)
+{
+  std::vector<std::size_t> row;
+  for (std::size_t ray = 0; ray < rays.rays; ++ray)
+  {
+    if (!rays.lee[ray])
+    {
+      row.push_back(ray);
+    }
+  }
+  std::sort(row.begin(), row.end(),
+    [&](std::size_t a, std::size_t b)
+    {
+      return std::make_tuple(rays.launchSegment[a], rays.launchParameter[a], a) <
+        std::make_tuple(rays.launchSegment[b], rays.launchParameter[b], b);
+    });
+  return row;
+}
+
+// Width of the tube of a ray at a phase; NaN beyond its ends and where it is not known.
+double widthAt(const TouchingRays& rays, std::size_t ray, double phase)
+{
+  const double* const first = rays.phase + rays.offsets[ray];
+  const double* const last = rays.phase + rays.offsets[ray + 1];
+  const double* const next = std::upper_bound(first, last, phase);
+  if (next == first || next == last)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double way = (phase - next[-1]) / (next[0] - next[-1]);
+  const auto point = static_cast<std::size_t>(next - rays.phase);
+  return (1.0 - way) * tubeWidth(rays, point - 1) + way * tubeWidth(rays, point);
+}
+
 // Values along a ray between its points.
 double between(const std::vector<double>& phases, const std::vector<double>& values, double phase)
 {
@@ -118,30 +153,56 @@ FoldWay wayOf(const TouchingRays& rays, std::size_t ray, std::size_t next, std::
 
 }
 
+std::vector<RayCaustic> loneCausticRates(const TouchingRays& rays)
+{
+  const std::size_t count = rays.rays > 0 ? rays.causticOffsets[rays.rays] : 0;
+  std::vector<RayCaustic> caustics(rays.caustics, rays.caustics + count);
+  if (std::none_of(caustics.begin(), caustics.end(), [](const RayCaustic& c) { return std::isnan(c.alongRate); }))
+  {
+    return caustics;
+  }
+  const std::vector<std::size_t> row = inOrder(rays);
+  for (std::size_t i = 0; i < row.size(); ++i)
+  {
+    const std::size_t ray = row[i];
+    for (std::size_t c = rays.causticOffsets[ray]; c < rays.causticOffsets[ray + 1]; ++c)
+    {
+      double growth = 0.0;
+      int sides = 0;
+      for (const std::size_t next : { i > 0 ? row[i - 1] : ray, i + 1 < row.size() ? row[i + 1] : ray })
+      {
+        const double apart = std::abs(rays.launchParameter[next] - rays.launchParameter[ray]);
+        const double width = widthAt(rays, next, caustics[c].phase);
+        if (rays.launchSegment[next] == rays.launchSegment[ray] && apart > 0.0 && std::isfinite(width))
+        {
+          growth += width / apart;
+          ++sides;
+        }
+      }
+      if (std::isnan(caustics[c].alongRate) && sides > 0)
+      {
+        caustics[c].alongRate = growth / sides / std::abs(caustics[c].widthRate);
+        caustics[c].alongChange = 0.0;
+      }
+    }
+  }
+  return caustics;
+}
+
 std::vector<double> foldsBeside(const TouchingRays& rays, const Execution& execution)
 {
   const auto points = static_cast<std::size_t>(rays.rays > 0 ? rays.offsets[rays.rays] : 0);
   std::vector<double> half(points, Infinity);
-  std::vector<std::size_t> row;
   std::size_t most = 0;
   for (std::size_t ray = 0; ray < rays.rays; ++ray)
   {
     most = std::max(most, touchedCount(rays, ray));
-    if (!rays.lee[ray])
-    {
-      row.push_back(ray);
-    }
   }
   if (most == 0)
   {
     return half;
   }
-  std::sort(row.begin(), row.end(),
-    [&](std::size_t a, std::size_t b)
-    {
-      return std::make_tuple(rays.launchSegment[a], rays.launchParameter[a], a) <
-        std::make_tuple(rays.launchSegment[b], rays.launchParameter[b], b);
-    });
+  const std::vector<std::size_t> row = inOrder(rays);
 
   // The nearest ray before and after each that touches one caustic more, those between them touching as many as it does, and
   // the one next to it.

@@ -27,6 +27,13 @@ struct TouchingRays
 };
 
 /**
+ * The caustics of these rays, RayCaustic::alongRate filled in where no neighbour touches them: where the sheet folds over and
+ * back between two rays. beta being 0 along a caustic, dl/dlambda = (d beta/d lambda)/(d beta/ds), of first order from the
+ * widths of the neighbours at the phase at which it is touched. NaN stays where no neighbour has one.
+ */
+std::vector<RayCaustic> loneCausticRates(const TouchingRays& rays);
+
+/**
  * Folds beside rays that do not touch them: where a sheet of rays folds along its way, the rays on one side have touched
  * the caustic while those on the other go beside it, up to the beach maybe, and lie as near to it.
  *

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 using namespace swellray;
@@ -203,6 +204,35 @@ TEST(FoldsBeside, giveBothSidesOfACausticOneHeight)
   }
   // Without them the sheet has a spike at the first ray.
   EXPECT_GT(rays.refraction(first, nullptr), 1.5 * rays.refraction(first - 1, nullptr));
+}
+
+TEST(FoldsBeside, loneCausticsHaveTheRateOfTheWidthsAroundThem)
+{
+  Rays rays;
+  const std::vector<RayCaustic> exact = rays.Caustics;
+  for (std::size_t i = 0; i < exact.size(); i += 2)
+  {
+    rays.Caustics[i].alongRate = std::numeric_limits<double>::quiet_NaN();
+  }
+  const std::vector<RayCaustic> filled = loneCausticRates(rays.arrays());
+  ASSERT_EQ(filled.size(), exact.size());
+  // The widths of both neighbours together are right to the second order of their distance.
+  constexpr double tolerance = 0.01;
+  int seen = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    const auto ray = static_cast<std::size_t>(exact[i].ray);
+    if (i % 2 == 1)
+    {
+      EXPECT_EQ(filled[i].alongRate, exact[i].alongRate);
+    }
+    else if (ray > 0 && exact[i].phase > rays.Phase.front() + 1.0)
+    {
+      EXPECT_NEAR(filled[i].alongRate, exact[i].alongRate, tolerance * exact[i].alongRate) << rays.Parameter[ray];
+      ++seen;
+    }
+  }
+  EXPECT_GT(seen, 10);
 }
 
 TEST(FoldsBeside, areThoseOfNeighboursAlone)
