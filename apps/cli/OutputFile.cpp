@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
@@ -34,10 +35,12 @@ std::mutex remembering;
 struct Writer
 {
   std::atomic<bool> used{ false };
+  std::atomic<bool> parked{ false };
   pthread_t thread{};
+
+  bool isThis() const { return this->used && pthread_equal(this->thread, pthread_self()) != 0; }
 };
 std::array<Writer, 32> writers;
-std::atomic<int> parked{ 0 };
 std::atomic<bool> stopping{ false };
 
 // To park a thread; nothing else here uses signals of this kind.
@@ -48,7 +51,13 @@ int parkSignal()
 
 void park(int)
 {
-  ++parked;
+  for (Writer& writer : writers)
+  {
+    if (writer.isThis())
+    {
+      writer.parked = true;
+    }
+  }
   for (;;)
   {
     pause();
@@ -58,19 +67,18 @@ void park(int)
 // A thread that went on writing would make its file again after it was removed.
 void parkWriters()
 {
-  int asked = 0;
   for (const Writer& writer : writers)
   {
-    if (writer.used && pthread_equal(writer.thread, pthread_self()) == 0 &&
-      pthread_kill(writer.thread, parkSignal()) == 0)
+    if (writer.used && !writer.isThis())
     {
-      ++asked;
+      pthread_kill(writer.thread, parkSignal());
     }
   }
-  // One that was about to end parks no more.
-  constexpr int longest = 500;
+  // Into the wait come those that a slow disk holds; one that has ended is no writer any more.
+  constexpr int longest = 10000;
   constexpr timespec aMillisecond{ 0, 1000000 };
-  for (int waited = 0; waited < longest && parked < asked; ++waited)
+  const auto writes = [](const Writer& writer) { return writer.used && !writer.parked && !writer.isThis(); };
+  for (int waited = 0; waited < longest && std::any_of(writers.begin(), writers.end(), writes); ++waited)
   {
     nanosleep(&aMillisecond, nullptr);
   }
@@ -103,6 +111,22 @@ int remember(const std::string& path)
     {
       std::memcpy(unfinished[i].path, path.c_str(), path.size() + 1);
       unfinished[i].used = true;
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+int claimWriter()
+{
+  const std::lock_guard<std::mutex> lock(remembering);
+  for (std::size_t i = 0; i < writers.size(); ++i)
+  {
+    if (!writers[i].used)
+    {
+      writers[i].thread = pthread_self();
+      writers[i].parked = false;
+      writers[i].used = true;
       return static_cast<int>(i);
     }
   }
@@ -168,17 +192,11 @@ OutputFile::~OutputFile()
 }
 
 WritingThread::WritingThread()
+  : Slot(claimWriter())
 {
-  const std::lock_guard<std::mutex> lock(remembering);
-  for (std::size_t i = 0; i < writers.size(); ++i)
+  if (stopping)
   {
-    if (!writers[i].used)
-    {
-      writers[i].thread = pthread_self();
-      writers[i].used = true;
-      this->Slot = static_cast<int>(i);
-      return;
-    }
+    park(0); // too late to be asked to
   }
 }
 
