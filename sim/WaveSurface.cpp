@@ -23,6 +23,9 @@ constexpr std::size_t RunSize = 64;
 // The bed is looked up under points in less water than this many heights; in deeper water its slope does.
 constexpr double ShallowDepths = 3.0;
 
+// The way into a cliff is found to a ten-thousandth of it.
+constexpr int CliffHalvings = 14;
+
 // What lies on the bed is so thin that it is not seen but drawn above it, m.
 constexpr double Film = 0.01;
 
@@ -320,12 +323,28 @@ MovedPlace WaveSurface::move(const StillPlace& still, const SectionPoint& moved)
     along = std::min(along, std::max(0.0, (still.depth - this->ShoreDepth) / still.slope));
     alongRate = 0.0;
   }
-  const glm::dvec2 at = still.position + along * still.direction;
   double depth = still.depth - still.slope * along;
   if (depth < ShallowDepths * still.height)
   {
-    depth = this->Options.waterLevel - this->Bed.elevation(at);
+    const auto depthAt = [&](double way)
+    { return this->Options.waterLevel - this->Bed.elevation(still.position + way * still.direction); };
+    depth = depthAt(along);
+    const double highest = std::max(moved.up, still.height);
+    if (depth < -highest)
+    {
+      // Into a cliff: lifted onto it the lip would be a spike.
+      double inside = 0.0;
+      for (int halving = 0; halving < CliffHalvings; ++halving)
+      {
+        const double middle = 0.5 * (inside + along);
+        (depthAt(middle) < -highest ? along : inside) = middle;
+      }
+      along = inside;
+      alongRate = 0.0;
+      depth = depthAt(along);
+    }
   }
+  const glm::dvec2 at = still.position + along * still.direction;
   const double k = still.wavenumber;
   const double omega = 2.0 * Pi / this->Options.period;
   double up = moved.up;

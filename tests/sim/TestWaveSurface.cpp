@@ -33,6 +33,22 @@ glm::dvec3 pointOf(const std::vector<double>& positions, std::size_t i)
   return { positions[3 * i], positions[3 * i + 1], positions[3 * i + 2] };
 }
 
+// 3 m of water up to x = 121 m, then a cliff of 5:1.
+class Cliff : public Slope
+{
+public:
+  Cliff()
+    : Slope(3.0, 0.0)
+  {
+  }
+  void evaluate(const glm::dvec2& p, unsigned derivatives, BedSample& bed) const override
+  {
+    this->Slope::evaluate(p, derivatives, bed);
+    bed.elevation += 5.0 * std::max(0.0, p.x - 121.0);
+    bed.gradient.x = p.x > 121.0 ? 5.0 : 0.0;
+  }
+};
+
 double areaOf(const SurfaceSheet& sheet)
 {
   double area = 0.0;
@@ -328,6 +344,43 @@ TEST(WaveSurface, nothingGoesBelowTheBed)
         ASSERT_NEAR(surface.Depth[i], -seafloor.elevation({ point.x, point.y }), Rounding);
       }
     }
+  }
+}
+
+TEST(WaveSurface, lipsThatStrikeACliffAreNotLiftedOntoIt)
+{
+  Bundle bundle;
+  constexpr double Height = 2.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    bundle.begin(5.0 * i);
+    for (double x = 0.0; x < 120.5; x += 2.0)
+    {
+      bundle.add({ x, 5.0 * i }, K * x, { 1.0, 0.0 }, Height, std::max(0.0, x - 110.0));
+    }
+  }
+  const Cliff cliff;
+  const Slope flat(3.0, 0.0);
+  for (const char* section : { "jeschke", "gonzato-lesaec", "vortex" })
+  {
+    Surface beforeCliff(bundle, cliff);
+    Surface free(bundle, flat);
+    int struck = 0;
+    for (double time = 0.0; time < Period; time += 0.2)
+    {
+      beforeCliff.at(time, section);
+      free.at(time, section);
+      for (std::size_t i = 0; i < free.Sheet.rayPointCount(); ++i)
+      {
+        const glm::dvec3 point = pointOf(beforeCliff.Position, i);
+        const glm::dvec3 without = pointOf(free.Position, i);
+        // A ten-thousandth of the way into it, on 5:1, and the film on the bed.
+        EXPECT_LE(point.z, std::max(without.z, Height) + 0.02) << section;
+        EXPECT_GE(point.z, cliff.elevation({ point.x, point.y }) - Rounding) << section;
+        struck += point.x < without.x - 0.1 ? 1 : 0;
+      }
+    }
+    EXPECT_GT(struck, 0) << section;
   }
 }
 
