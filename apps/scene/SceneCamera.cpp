@@ -26,8 +26,9 @@ constexpr double DryAbove = 0.25;
 constexpr double Aside = 22.0; // degrees
 constexpr double Downwards = 0.13;
 
-constexpr double AerialSlant = 28.0; // degrees below the horizon
-constexpr double ShoreAngle = 34.0;  // of view, degrees
+constexpr double AerialSlant = 28.0;  // degrees below the horizon
+constexpr double AerialMargin = 0.05; // of the scene
+constexpr double ShoreAngle = 34.0;   // of view, degrees
 
 class Ground
 {
@@ -122,9 +123,13 @@ SceneCamera cameraByName(CameraName name, const CameraScene& scene)
   {
     const double away = 0.95 * extent;
     const double slant = radians(AerialSlant);
-    camera.eye = { middle[0] + away * std::cos(slant) * x, middle[1] + away * std::cos(slant) * y,
+    // The land ends where the scene does: the lower edge of the picture is within it.
+    const double lowest = away * (std::cos(slant) - std::sin(slant) / std::tan(slant + radians(0.5 * camera.angle)));
+    const double within = 0.5 * (std::abs(x) * ground.width() + std::abs(y) * ground.length()) - AerialMargin * extent;
+    const double forward = std::max(0.0, lowest - within);
+    camera.focus = { middle[0] - forward * x, middle[1] - forward * y, scene.waterLevel };
+    camera.eye = { camera.focus[0] + away * std::cos(slant) * x, camera.focus[1] + away * std::cos(slant) * y,
       scene.waterLevel + away * std::sin(slant) };
-    camera.focus = { middle[0], middle[1], scene.waterLevel };
     return camera;
   }
   const auto shore = dryPlace(ground, scene, x, y);

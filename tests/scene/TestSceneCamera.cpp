@@ -29,6 +29,8 @@ public:
     return cameraByName(name, { this->Reader->GetOutput(), waterLevel, directionFrom, 2.0 });
   }
 
+  vtkImageData* seafloor() const { return this->Reader->GetOutput(); }
+
 private:
   vtkNew<vtkSwellSeafloorReader> Reader;
 };
@@ -58,6 +60,19 @@ TEST(SceneCamera, AerialLooksOverTheShoreOutToSea)
   EXPECT_GT(camera.eye[0], 0.0);
   EXPECT_GT(camera.eye[2], 500.0); // the scene is 2.5 km wide
   EXPECT_LT(camera.focus[0], camera.eye[0]);
+}
+
+TEST(SceneCamera, AerialBeginsOnLandOfTheScene)
+{
+  // Babbage beach is 500 m along the shore, in the south, and less across.
+  const Beach babbage("babbage");
+  const SceneCamera camera = babbage.camera(CameraName::Aerial, 0.0);
+  const double slant = std::atan2(camera.eye[2] - camera.focus[2], camera.focus[1] - camera.eye[1]);
+  const double lower = slant + 0.5 * camera.angle * 3.14159265358979 / 180.0;
+  double bounds[6];
+  babbage.seafloor()->GetBounds(bounds);
+  EXPECT_GT(camera.eye[1] + camera.eye[2] / std::tan(lower), bounds[2]);
+  EXPECT_LT(camera.eye[1], bounds[2]); // from where nothing is drawn
 }
 
 TEST(SceneCamera, ChartSeesAllOfTheSceneFromAbove)
