@@ -16,12 +16,29 @@ namespace
 // Enough ranges to balance uneven rays over any usual number of cores, few enough to cost nothing.
 constexpr std::size_t RangesOfALoop = 64;
 
+thread_local int oneThread = 0; // how many of it are there
+
+}
+
+OneThread::OneThread()
+{
+  ++oneThread;
+}
+
+OneThread::~OneThread()
+{
+  --oneThread;
 }
 
 void parallelFor(std::size_t n, const std::function<void(std::size_t, std::size_t)>& body)
 {
   if (n == 0)
   {
+    return;
+  }
+  if (oneThread > 0)
+  {
+    body(0, n);
     return;
   }
   std::mutex mutex;

@@ -6,6 +6,8 @@
 #include "Pipeline.h"
 #include "VtkFiles.h"
 
+#include "filters/AlgorithmExecution.h"
+
 #include <fmt/format.h>
 
 #include <vtkImageData.h>
@@ -20,6 +22,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <mutex>
 #include <thread>
 
@@ -115,10 +118,14 @@ void shareOut(std::size_t n, std::size_t workers, const std::function<void(std::
       [&run, worker]
       {
         const WritingThread writing;
+        const OneThread alone;
         run(worker);
       });
   }
-  run(0);
+  {
+    const std::unique_ptr<const OneThread> alone(threads.empty() ? nullptr : new OneThread);
+    run(0);
+  }
   for (std::thread& thread : threads)
   {
     thread.join();
