@@ -1,15 +1,10 @@
 #include "Chart.h"
 
 #include "ChartItem.h"
-#include "apps/drawing/VirtualDisplay.h"
+#include "ItemPicture.h"
 
-#include <vtkContextActor.h>
-#include <vtkContextScene.h>
-#include <vtkImageShrink3D.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,10 +43,6 @@ double unitsAcross(double width)
 }
 
 constexpr int TallestStandard = 2000;
-
-// A picture is drawn larger and averaged down: smooth edges on any graphics driver.
-constexpr int Oversampling = 2;
-constexpr int LargestOversampled = 4000;
 
 // The layout of a picture that is drawn `factor` times as large.
 ChartLayout enlarged(ChartLayout layout, int factor)
@@ -108,35 +99,9 @@ ChartLayout layOutChart(const std::optional<std::array<int, 2>>& size, double as
 
 vtkSmartPointer<vtkImageData> drawChart(const ChartContent& content, const ChartLayout& layout)
 {
-  const int factor = std::max(layout.width, layout.height) <= LargestOversampled ? Oversampling : 1;
   vtkNew<ChartItem> item;
-  item->setContent(content, enlarged(layout, factor));
-
-  const VirtualDisplay display;
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetShowWindow(false);
-  window->SetMultiSamples(8);
-  window->SetSize(layout.width * factor, layout.height * factor);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  window->AddRenderer(renderer);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(item);
-  renderer->AddActor(actor);
-  window->Render();
-
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(grab->GetOutputPort());
-  shrink->SetShrinkFactors(factor, factor, 1);
-  shrink->MeanOn();
-
-  shrink->Update();
-  return shrink->GetOutput();
+  item->setContent(content, enlarged(layout, enlargementOf(layout.width, layout.height)));
+  return drawItem(item, layout.width, layout.height);
 }
 
 }

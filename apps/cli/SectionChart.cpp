@@ -1,29 +1,23 @@
 #include "SectionChart.h"
 
 #include "ChartItem.h"
+#include "ItemPicture.h"
 
 #include "apps/drawing/Scale.h"
-#include "apps/drawing/VirtualDisplay.h"
 
 #include <fmt/format.h>
 
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
-#include <vtkContextActor.h>
 #include <vtkContextDevice2D.h>
 #include <vtkContextItem.h>
-#include <vtkContextScene.h>
 #include <vtkImageData.h>
-#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkRect.h>
-#include <vtkRenderWindow.h>
-#include <vtkRenderer.h>
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
-#include <vtkWindowToImageFilter.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,10 +44,6 @@ constexpr int StandardWidth = 1600;
 // Of the water under its level at least so much is shown, heights of the highest crest, and so much air over it.
 constexpr double WaterShown = 1.8;
 constexpr double AirShown = 1.3;
-
-// Drawn larger and averaged down: smooth edges on any driver.
-constexpr int Oversampling = 2;
-constexpr int LargestOversampled = 4000;
 
 SectionLayout enlarged(SectionLayout layout, int factor)
 {
@@ -271,34 +261,9 @@ SectionLayout layOutSections(const SectionContent& content, const std::optional<
 
 vtkSmartPointer<vtkImageData> drawSections(const SectionContent& content, const SectionLayout& layout)
 {
-  const int factor = std::max(layout.width, layout.height) <= LargestOversampled ? Oversampling : 1;
   vtkNew<SectionItem> item;
-  item->setContent(&content, enlarged(layout, factor));
-  const VirtualDisplay display;
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->SetShowWindow(false);
-  window->SetMultiSamples(8);
-  window->SetSize(layout.width * factor, layout.height * factor);
-  vtkNew<vtkRenderer> renderer;
-  renderer->SetBackground(1.0, 1.0, 1.0);
-  window->AddRenderer(renderer);
-  vtkNew<vtkContextActor> actor;
-  actor->GetScene()->AddItem(item);
-  renderer->AddActor(actor);
-  window->Render();
-  vtkNew<vtkWindowToImageFilter> grab;
-  grab->SetInput(window);
-  grab->ReadFrontBufferOff();
-  grab->ShouldRerenderOff();
-  vtkNew<vtkImageShrink3D> shrink;
-  shrink->SetInputConnection(grab->GetOutputPort());
-  shrink->SetShrinkFactors(factor, factor, 1);
-  shrink->MeanOn();
-  shrink->Update();
-  auto picture = vtkSmartPointer<vtkImageData>::New();
-  picture->DeepCopy(shrink->GetOutput());
-  return picture;
+  item->setContent(&content, enlarged(layout, enlargementOf(layout.width, layout.height)));
+  return drawItem(item, layout.width, layout.height);
 }
 
 }
