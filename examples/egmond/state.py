@@ -1,4 +1,5 @@
-"""One hour of a storm over the bars of Egmond, as a state of ParaView: `paraview --state=state.py` with the plugin Swellray loaded, or
+"""One hour of a storm over the bars of Egmond, its heights limited by the depth, as Baldock's breaking takes minutes on a map. As a state
+of ParaView: `paraview --state=state.py` with the plugin Swellray loaded, or
 
     SWELLRAY_PLUGIN=.../Swellray.so pvpython state.py
 
